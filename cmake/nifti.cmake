@@ -1,0 +1,10 @@
+# NIfTI-1 reference library. Home: include/palpate (nifti.cpp).
+# SPDX-License-Identifier: GPL-3.0-or-later
+find_path(NIFTI_INCLUDE nifti1_io.h PATH_SUFFIXES nifti REQUIRED)
+find_library(NIFTI_LIBRARY niftiio REQUIRED)
+find_library(ZNZ_LIBRARY znz REQUIRED)
+find_package(ZLIB REQUIRED)
+add_library(palpate::nifti INTERFACE IMPORTED)
+target_include_directories(palpate::nifti SYSTEM INTERFACE ${NIFTI_INCLUDE})
+target_link_libraries(palpate::nifti INTERFACE ${NIFTI_LIBRARY} ${ZNZ_LIBRARY} ZLIB::ZLIB)
+target_compile_definitions(palpate::nifti INTERFACE HAVE_ZLIB)

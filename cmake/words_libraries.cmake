@@ -1,0 +1,6 @@
+include(cli11)
+include(tomlplusplus)
+include(nlohmann_json)
+include(openssl)
+include(nifti)
+include(vtk)

@@ -1,0 +1,129 @@
+// NIfTI-1 by the reference library. x_ras = diag(−1, −1, 1) x_lps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <palpate/nifti.hpp>
+
+#include <nifti1_io.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include <palpate/errors.hpp>
+
+namespace palpate {
+namespace {
+
+using Image = std::unique_ptr<nifti_image, decltype(&nifti_image_free)>;
+
+[[noreturn]] void unreadable(const std::filesystem::path& path, const std::string& what, const std::string& next = "") {
+  throw Failure(ExitCode::unreadable, what, path.string(), next);
+}
+
+Image read_image(const std::filesystem::path& path) {
+  nifti_set_debug_level(0);
+  Image image(nifti_image_read(path.c_str(), 1), nifti_image_free);
+  if (!image) unreadable(path, "not a readable NIfTI image (damaged, truncated or another format)", "dcm2niix or palpate-import writes one");
+  if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nvox != std::size_t(image->nx) * image->ny * image->nz)
+    unreadable(path, "not a three-dimensional image", "extract one volume");
+  if (image->sform_code <= 0 && image->qform_code <= 0)
+    unreadable(path, "no orientation: neither sform nor qform is set", "write it with the orientation of its scan");
+  return image;
+}
+
+Grid grid_of(const nifti_image& image, const std::filesystem::path& path) {
+  const mat44& m = image.sform_code > 0 ? image.sto_xyz : image.qto_xyz;
+  Grid grid;
+  grid.size = {static_cast<int>(image.nx), static_cast<int>(image.ny), static_cast<int>(image.nz)};
+  const double to_mm = image.xyz_units == NIFTI_UNITS_METER ? 1000 : image.xyz_units == NIFTI_UNITS_MICRON ? 0.001 : 1;
+  for (int row = 0; row < 3; ++row) {
+    const double sign = (row < 2 ? -1 : 1) * to_mm;
+    for (int column = 0; column < 3; ++column) grid.lps_from_voxel.columns[column][row] = sign * m.m[row][column];
+    grid.lps_from_voxel.origin[row] = sign * m.m[row][3];
+  }
+  const double volume = grid.lps_from_voxel.determinant();
+  if (!(std::abs(volume) > 1e-12) || !std::isfinite(volume)) unreadable(path, "the voxel axes are not independent");
+  return grid;
+}
+
+template <class T>
+void convert(const nifti_image& image, std::vector<double>& values) {
+  const T* data = static_cast<const T*>(image.data);
+  values.assign(data, data + image.nvox);
+}
+
+std::vector<double> values_of(const nifti_image& image, const std::filesystem::path& path) {
+  std::vector<double> values;
+  switch (image.datatype) {
+    case DT_UINT8: convert<std::uint8_t>(image, values); break;
+    case DT_INT8: convert<std::int8_t>(image, values); break;
+    case DT_UINT16: convert<std::uint16_t>(image, values); break;
+    case DT_INT16: convert<std::int16_t>(image, values); break;
+    case DT_UINT32: convert<std::uint32_t>(image, values); break;
+    case DT_INT32: convert<std::int32_t>(image, values); break;
+    case DT_UINT64: convert<std::uint64_t>(image, values); break;
+    case DT_INT64: convert<std::int64_t>(image, values); break;
+    case DT_FLOAT32: convert<float>(image, values); break;
+    case DT_FLOAT64: convert<double>(image, values); break;
+    default: unreadable(path, std::string("voxels of type ") + nifti_datatype_string(image.datatype), "convert it to a scalar type");
+  }
+  if (image.scl_slope != 0)
+    for (double& v : values) v = v * image.scl_slope + image.scl_inter;
+  for (double v : values)
+    if (!std::isfinite(v)) unreadable(path, "voxels that are not finite numbers", "replace NaN and infinities");
+  return values;
+}
+
+void set_orientation(nifti_image& image, const Grid& grid) {
+  for (int row = 0; row < 3; ++row) {
+    const double sign = row < 2 ? -1 : 1;
+    for (int column = 0; column < 3; ++column) image.sto_xyz.m[row][column] = sign * grid.lps_from_voxel.columns[column][row];
+    image.sto_xyz.m[row][3] = sign * grid.lps_from_voxel.origin[row];
+  }
+  image.sto_xyz.m[3][3] = 1;
+  image.sform_code = image.qform_code = NIFTI_XFORM_SCANNER_ANAT;
+  image.sto_ijk = nifti_mat44_inverse(image.sto_xyz);
+  nifti_mat44_to_quatern(image.sto_xyz, &image.quatern_b, &image.quatern_c, &image.quatern_d, &image.qoffset_x, &image.qoffset_y,
+                         &image.qoffset_z, &image.dx, &image.dy, &image.dz, &image.qfac);
+  image.pixdim[1] = image.dx;
+  image.pixdim[2] = image.dy;
+  image.pixdim[3] = image.dz;
+  image.xyz_units = NIFTI_UNITS_MM;
+}
+
+template <class Voxel>
+void write_volume(const std::filesystem::path& path, const Volume<Voxel>& volume, int datatype) {
+  const int dims[8] = {3, volume.grid.size[0], volume.grid.size[1], volume.grid.size[2], 1, 1, 1, 1};
+  nifti_set_debug_level(0);
+  Image image(nifti_make_new_nim(dims, datatype, 1), nifti_image_free);
+  if (!image) throw std::bad_alloc();
+  std::memcpy(image->data, volume.voxels.data(), volume.voxels.size() * sizeof(Voxel));
+  set_orientation(*image, volume.grid);
+  nifti_set_filenames(image.get(), path.c_str(), 0, 1);
+  nifti_image_write(image.get());
+  // The library does not say whether it could write: read back.
+  const Image written(nifti_image_read(path.c_str(), 1), nifti_image_free);
+  if (!written || std::memcmp(written->data, volume.voxels.data(), volume.voxels.size() * sizeof(Voxel)) != 0)
+    throw Failure(ExitCode::unreadable, "cannot write the image", path.string(), "check free space (df -h) and permissions");
+}
+
+}  // namespace
+
+Scan read_scan(const std::filesystem::path& path) {
+  const Image image = read_image(path);
+  const auto values = values_of(*image, path);
+  return {grid_of(*image, path), std::vector<float>(values.begin(), values.end())};
+}
+
+Labels read_labels(const std::filesystem::path& path) {
+  const Image image = read_image(path);
+  const auto values = values_of(*image, path);
+  for (double v : values)
+    if (v < 0 || v > 65535 || v != std::floor(v)) unreadable(path, "not labels: voxels that are not whole numbers from 0 to 65535");
+  return {grid_of(*image, path), std::vector<std::uint16_t>(values.begin(), values.end())};
+}
+
+void write_scan(const std::filesystem::path& path, const Scan& scan) { write_volume(path, scan, DT_FLOAT32); }
+void write_labels(const std::filesystem::path& path, const Labels& labels) { write_volume(path, labels, DT_UINT16); }
+
+}  // namespace palpate

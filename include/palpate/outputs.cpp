@@ -1,0 +1,96 @@
+// Temporary names carry the writer's process id, so that leftovers of dead writers can be told from work in progress.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <palpate/outputs.hpp>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+#include <palpate/card.hpp>
+#include <palpate/errors.hpp>
+
+namespace palpate {
+namespace fs = std::filesystem;
+namespace {
+
+const std::string prefix = ".partial-";
+
+fs::path parent_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
+
+/// Removes `.partial-<pid>-<name>` of processes that are gone.
+void remove_leftovers(const fs::path& target) {
+  for (const auto& entry : fs::directory_iterator(parent_of(target))) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    int pid = 0;
+    const auto [end, error] = std::from_chars(name.data() + prefix.size(), name.data() + name.size(), pid);
+    const bool ours = error == std::errc{} && std::string(end) == "-" + target.filename().string();
+    if (ours && pid != getpid() && kill(pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path());
+  }
+}
+
+void flush_to_disk(const fs::path& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY);
+  const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+  const int reason = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (!flushed)
+    throw Failure(ExitCode::unreadable, std::string("cannot write the output: ") + std::strerror(reason), path.string(),
+                  "check free space (df -h) and permissions");
+}
+
+void refuse_to_overwrite(const fs::path& target, PendingOutput::Kind kind, bool force) {
+  if (!fs::exists(target)) return;
+  if (!force) throw Failure(ExitCode::misuse, "the output exists", target.string(), "another name, or --force to replace it");
+  const bool is_folder = fs::is_directory(target);
+  if (is_folder != (kind == PendingOutput::Kind::folder))
+    throw Failure(ExitCode::misuse, is_folder ? "the output is a folder, a file is written" : "the output is a file, a folder is written",
+                  target.string(), "another name");
+  if (is_folder && !fs::is_empty(target) && !fs::exists(card_path(target)))
+    throw Failure(ExitCode::misuse, "refusing to replace a folder that this program did not make (no card beside it)", target.string(),
+                  "another name, or remove the folder yourself");
+}
+
+}  // namespace
+
+PendingOutput::PendingOutput(fs::path target, Kind kind, bool force) : target_(std::move(target)), kind_(kind) {
+  if (!target_.has_filename()) target_ = target_.parent_path();  // "dicom/" is "dicom"
+  if (!fs::is_directory(parent_of(target_)))
+    throw Failure(ExitCode::misuse, "the output's folder does not exist", parent_of(target_).string(), "mkdir -p it first");
+  refuse_to_overwrite(target_, kind, force);
+  remove_leftovers(target_);
+  temporary_ = parent_of(target_) / (prefix + std::to_string(getpid()) + "-" + target_.filename().string());
+  if (kind == Kind::folder) fs::create_directory(temporary_);
+}
+
+PendingOutput::PendingOutput(PendingOutput&& other) noexcept
+    : target_(std::move(other.target_)), temporary_(std::move(other.temporary_)), kind_(other.kind_) {
+  other.temporary_.clear();
+}
+
+PendingOutput::~PendingOutput() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+}
+
+void PendingOutput::commit() {
+  if (kind_ == Kind::folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(temporary_))
+      if (entry.is_regular_file()) flush_to_disk(entry.path());
+    if (fs::exists(target_)) {  // exchange, then the destructor removes the old one under the temporary name
+      if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
+      fs::remove_all(target_);
+    }
+  } else {
+    flush_to_disk(temporary_);
+  }
+  fs::rename(temporary_, target_);
+  temporary_.clear();
+}
+
+}  // namespace palpate

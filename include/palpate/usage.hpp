@@ -1,0 +1,84 @@
+// What a command is: its inputs, outputs and options. Help, --describe, --xml, the card and the parser all read this.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <palpate/catalogue.hpp>
+#include <palpate/json.hpp>
+
+namespace palpate {
+
+enum class ArgumentKind {
+  file,
+  folder,       ///< hashed with everything in it
+  open_folder,  ///< not hashed: the program declares what it read with Command::add_input
+};
+
+/// A positional argument: a file or folder read or written.
+struct ArgumentSpec {
+  std::string name;
+  ArgumentKind kind = ArgumentKind::file;
+  std::string example;
+  std::string meaning;
+};
+
+/// An output whose name follows from another's: labels.nii.gz → labels.sheet.png.
+struct SideOutputSpec {
+  std::string name;
+  std::string of;
+  std::string suffix;
+  std::string meaning;
+};
+
+enum class OptionKind { real, integer, text, choice, flag, points, file };
+
+struct OptionSpec {
+  std::string name;  ///< long name without dashes, words joined by '-'
+  OptionKind kind = OptionKind::flag;
+  std::string unit;   ///< "mm", "deg", "1", … ; empty for text
+  Range range;        ///< of numbers
+  Json default_value; ///< null: decided by the program, which says how in `meaning`
+  std::vector<std::string> choices;
+  std::string meaning;
+};
+
+/// Filled by a program's usage(). Order of calls is the order on the command line and in help.
+struct Usage {
+  std::string name;      ///< "segment" for palpate-segment
+  std::string sentence;  ///< what it does, one sentence
+  std::string details;   ///< a paragraph for --help and the docs page; may be empty
+  std::vector<ArgumentSpec> inputs, outputs;
+  std::vector<SideOutputSpec> side_outputs;
+  std::vector<OptionSpec> options;
+  std::function<std::vector<CatalogueEntry>()> catalogue;  ///< this program's part of `palpate list`; may be empty
+
+  void input(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
+  void output(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
+  void side_output(std::string name, std::string of, std::string suffix, std::string meaning);
+  void real(std::string name, std::optional<double> fallback, std::string unit, Range range, std::string meaning);
+  void integer(std::string name, std::optional<long> fallback, Range range, std::string meaning);
+  void text(std::string name, std::optional<std::string> fallback, std::string meaning);
+  void choice(std::string name, std::string fallback, std::vector<std::string> choices, std::string meaning);
+  void flag(std::string name, std::string meaning);
+  /// Points in mm, `--name x,y,z`, repeatable.
+  void points(std::string name, std::string meaning);
+  /// A further file read when given; hashed in the card.
+  void file(std::string name, std::string meaning);
+};
+
+/// The program as JSON (`--describe`): inputs, outputs, options with unit, range, default, meaning.
+Json describe(const Usage& usage);
+
+/// The program as a Slicer Execution Model description (`--xml`).
+std::string slicer_xml(const Usage& usage);
+
+/// The program as text (`--help`).
+std::string help_text(const Usage& usage);
+
+/// The options every program has: threads, seed, quiet, verbose, force, skip-current.
+const std::vector<OptionSpec>& common_options();
+
+}  // namespace palpate
