@@ -3,7 +3,9 @@
 #include <palpate/nifti.hpp>
 
 #include <nifti1_io.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -20,14 +22,30 @@ using Image = std::unique_ptr<nifti_image, decltype(&nifti_image_free)>;
   throw Failure(ExitCode::unreadable, what, path.string(), next);
 }
 
+/// The library takes a short file for a whole one with zeros at the end: count the bytes, and let zlib verify their checksum.
+void expect_every_byte(const nifti_image& image, const std::filesystem::path& path) {
+  const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(image.iname, "rb"), gzclose);
+  const std::size_t expected = image.iname_offset + image.nvox * image.nbyper;
+  std::vector<char> block(1 << 20);
+  std::size_t bytes = 0;
+  int got = 0;
+  while (file && (got = gzread(file.get(), block.data(), block.size())) > 0) bytes += got;
+  int error = Z_OK;
+  if (file) gzerror(file.get(), &error);
+  if (!file || got < 0 || error != Z_OK || bytes < expected)
+    unreadable(path, "truncated or damaged: " + std::to_string(bytes) + " good bytes of " + std::to_string(expected), "copy it again");
+}
+
 Image read_image(const std::filesystem::path& path) {
   nifti_set_debug_level(0);
-  Image image(nifti_image_read(path.c_str(), 1), nifti_image_free);
-  if (!image) unreadable(path, "not a readable NIfTI image (damaged, truncated or another format)", "dcm2niix or palpate-import writes one");
+  Image image(nifti_image_read(path.c_str(), 0), nifti_image_free);
+  if (!image) unreadable(path, "not a NIfTI image", "dcm2niix or palpate-import writes one");
   if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nvox != std::size_t(image->nx) * image->ny * image->nz)
     unreadable(path, "not a three-dimensional image", "extract one volume");
   if (image->sform_code <= 0 && image->qform_code <= 0)
     unreadable(path, "no orientation: neither sform nor qform is set", "write it with the orientation of its scan");
+  expect_every_byte(*image, path);
+  if (nifti_image_load(image.get()) != 0) unreadable(path, "cannot read the voxels", "copy it again");
   return image;
 }
 
@@ -46,32 +64,36 @@ Grid grid_of(const nifti_image& image, const std::filesystem::path& path) {
   return grid;
 }
 
-template <class T>
-void convert(const nifti_image& image, std::vector<double>& values) {
-  const T* data = static_cast<const T*>(image.data);
-  values.assign(data, data + image.nvox);
+template <class Stored, class Visit>
+void visit_as(const nifti_image& image, const Visit& visit) {
+  const Stored* data = static_cast<const Stored*>(image.data);
+  const double slope = image.scl_slope != 0 ? image.scl_slope : 1, intercept = image.scl_slope != 0 ? image.scl_inter : 0;
+  for (std::size_t i = 0; i < image.nvox; ++i) visit(static_cast<double>(data[i]) * slope + intercept);
 }
 
-std::vector<double> values_of(const nifti_image& image, const std::filesystem::path& path) {
-  std::vector<double> values;
+/// Calls `visit` with every voxel's value, slope and intercept applied; x fastest.
+template <class Visit>
+void visit_values(const nifti_image& image, const std::filesystem::path& path, const Visit& visit) {
   switch (image.datatype) {
-    case DT_UINT8: convert<std::uint8_t>(image, values); break;
-    case DT_INT8: convert<std::int8_t>(image, values); break;
-    case DT_UINT16: convert<std::uint16_t>(image, values); break;
-    case DT_INT16: convert<std::int16_t>(image, values); break;
-    case DT_UINT32: convert<std::uint32_t>(image, values); break;
-    case DT_INT32: convert<std::int32_t>(image, values); break;
-    case DT_UINT64: convert<std::uint64_t>(image, values); break;
-    case DT_INT64: convert<std::int64_t>(image, values); break;
-    case DT_FLOAT32: convert<float>(image, values); break;
-    case DT_FLOAT64: convert<double>(image, values); break;
+    case DT_UINT8: return visit_as<std::uint8_t>(image, visit);
+    case DT_INT8: return visit_as<std::int8_t>(image, visit);
+    case DT_UINT16: return visit_as<std::uint16_t>(image, visit);
+    case DT_INT16: return visit_as<std::int16_t>(image, visit);
+    case DT_UINT32: return visit_as<std::uint32_t>(image, visit);
+    case DT_INT32: return visit_as<std::int32_t>(image, visit);
+    case DT_UINT64: return visit_as<std::uint64_t>(image, visit);
+    case DT_INT64: return visit_as<std::int64_t>(image, visit);
+    case DT_FLOAT32: return visit_as<float>(image, visit);
+    case DT_FLOAT64: return visit_as<double>(image, visit);
     default: unreadable(path, std::string("voxels of type ") + nifti_datatype_string(image.datatype), "convert it to a scalar type");
   }
-  if (image.scl_slope != 0)
-    for (double& v : values) v = v * image.scl_slope + image.scl_inter;
-  for (double v : values)
-    if (!std::isfinite(v)) unreadable(path, "voxels that are not finite numbers", "replace NaN and infinities");
-  return values;
+}
+
+/// A sheared lattice (a tilted gantry) has no quaternion: its file then carries the sform alone.
+bool is_orthogonal(const Grid& grid) {
+  const auto& [a, b, c] = grid.lps_from_voxel.columns;
+  const double cosine = std::max({std::abs(dot(unit(a), unit(b))), std::abs(dot(unit(b), unit(c))), std::abs(dot(unit(c), unit(a)))});
+  return cosine <= 1e-4;
 }
 
 void set_orientation(nifti_image& image, const Grid& grid) {
@@ -81,7 +103,8 @@ void set_orientation(nifti_image& image, const Grid& grid) {
     image.sto_xyz.m[row][3] = sign * grid.lps_from_voxel.origin[row];
   }
   image.sto_xyz.m[3][3] = 1;
-  image.sform_code = image.qform_code = NIFTI_XFORM_SCANNER_ANAT;
+  image.sform_code = NIFTI_XFORM_SCANNER_ANAT;
+  image.qform_code = is_orthogonal(grid) ? NIFTI_XFORM_SCANNER_ANAT : NIFTI_XFORM_UNKNOWN;
   image.sto_ijk = nifti_mat44_inverse(image.sto_xyz);
   nifti_mat44_to_quatern(image.sto_xyz, &image.quatern_b, &image.quatern_c, &image.quatern_d, &image.qoffset_x, &image.qoffset_y,
                          &image.qoffset_z, &image.dx, &image.dy, &image.dz, &image.qfac);
@@ -111,16 +134,25 @@ void write_volume(const std::filesystem::path& path, const Volume<Voxel>& volume
 
 Scan read_scan(const std::filesystem::path& path) {
   const Image image = read_image(path);
-  const auto values = values_of(*image, path);
-  return {grid_of(*image, path), std::vector<float>(values.begin(), values.end())};
+  Scan scan{grid_of(*image, path), {}};
+  scan.voxels.reserve(image->nvox);
+  visit_values(*image, path, [&](double v) {
+    if (!std::isfinite(v)) unreadable(path, "voxels that are not finite numbers", "replace NaN and infinities");
+    scan.voxels.push_back(static_cast<float>(v));
+  });
+  return scan;
 }
 
 Labels read_labels(const std::filesystem::path& path) {
   const Image image = read_image(path);
-  const auto values = values_of(*image, path);
-  for (double v : values)
-    if (v < 0 || v > 65535 || v != std::floor(v)) unreadable(path, "not labels: voxels that are not whole numbers from 0 to 65535");
-  return {grid_of(*image, path), std::vector<std::uint16_t>(values.begin(), values.end())};
+  Labels labels{grid_of(*image, path), {}};
+  labels.voxels.reserve(image->nvox);
+  visit_values(*image, path, [&](double v) {
+    if (!(v >= 0 && v <= 65535) || v != std::floor(v))
+      unreadable(path, "not labels: voxels that are not whole numbers from 0 to 65535");
+    labels.voxels.push_back(static_cast<std::uint16_t>(v));
+  });
+  return labels;
 }
 
 void write_scan(const std::filesystem::path& path, const Scan& scan) { write_volume(path, scan, DT_FLOAT32); }
