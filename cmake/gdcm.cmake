@@ -1,5 +1,7 @@
-# DICOM. Home: pipeline/image (dicom_*.cpp). Debian's GDCMConfig.cmake asks for VTK's bindings too, so the libraries are looked up by name.
+# DICOM. Debian's GDCMConfig.cmake asks for VTK's bindings too, so the libraries are looked up by name.
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: gdcm[A-Za-z0-9]*\.h
+# Homes: pipeline/image
 find_path(GDCM_INCLUDE gdcmReader.h PATH_SUFFIXES gdcm-3.0 REQUIRED)
 add_library(palpate::gdcm INTERFACE IMPORTED)
 target_include_directories(palpate::gdcm SYSTEM INTERFACE ${GDCM_INCLUDE})

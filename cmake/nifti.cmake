@@ -1,5 +1,7 @@
-# NIfTI-1 reference library. Home: include/palpate (nifti.cpp).
+# NIfTI-1 reference library, and zlib under it (nifti.cpp).
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: nifti1_io\.h|zlib\.h
+# Homes: include/palpate
 find_path(NIFTI_INCLUDE nifti1_io.h PATH_SUFFIXES nifti REQUIRED)
 find_library(NIFTI_LIBRARY niftiio REQUIRED)
 find_library(ZNZ_LIBRARY znz REQUIRED)

@@ -1,3 +1,5 @@
-# SHA-256. Home: include/palpate (card.cpp).
+# SHA-256 (card.cpp).
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: openssl/.*
+# Homes: include/palpate
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

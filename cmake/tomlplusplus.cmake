@@ -1,3 +1,5 @@
-# TOML. Home: include/palpate (settings.cpp).
+# TOML (settings.cpp).
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: toml\+\+/.*
+# Homes: include/palpate
 find_package(tomlplusplus REQUIRED)

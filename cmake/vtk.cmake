@@ -1,4 +1,6 @@
-# VTK. Homes: include/palpate (mesh_files.cpp: readers and writers), pipeline/report (pictures).
+# VTK: readers and writers of include/palpate (mesh_files.cpp), pictures of pipeline/report.
 # Only these components: asking for all of VTK needs Qt.
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: vtk[A-Za-z0-9]*\.h
+# Homes: include/palpate pipeline/report
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOXML QUIET)
