@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include <palpate/mesh_files.hpp>
 #include <palpate/vec3.hpp>
 
 namespace palpate {
@@ -32,5 +33,11 @@ struct SizeField {
 
 /// How many tetrahedra a volume [mm³] will take: ∫ dV / (h³ / 6√2), with half a ball around each focus, which lies on the surface.
 double estimate_tets(const SizeField& field, double volume_mm3);
+
+double mean_edge(const Surface& surface);
+
+/// Throws Failure(misuse) for an edge longer than half the surface, or a focus farther from it than a tenth of its size (with the
+/// distance and the nearest point); Failure(refused) with the estimate when more than `max_tets` are to be expected.
+void refuse_absurd(const SizeField& field, const Surface& surface, double volume_mm3, double max_tets);
 
 }  // namespace palpate
