@@ -13,10 +13,10 @@ namespace palpate {
 /// All lengths in mm. Without focus points the field is `edge` everywhere.
 struct SizeField {
   double edge = 1;
-  std::vector<Vec3> focus;   ///< where a tool will touch
-  double focus_edge = 1;     ///< edge length within `focus_radius` of a focus
+  std::vector<Vec3> focus;  ///< where a tool will touch
+  double focus_edge = 1;    ///< edge length within `focus_radius` of a focus
   double focus_radius = 0;
-  double grading = 1;        ///< distance beyond the radius over which the length grows from focus_edge to edge
+  double grading = 1;  ///< distance beyond the radius over which the length grows from focus_edge to edge
 
   /// `distance` to the nearest focus; infinite when there is none.
   double at_distance(double distance) const {
@@ -31,7 +31,8 @@ struct SizeField {
   }
 };
 
-/// How many tetrahedra a volume [mm³] will take: ∫ dV / (h³ / 6√2), with half a ball around each focus, which lies on the surface.
+/// How many tetrahedra a volume [mm³] will take: ∫ dV / (h³ / 6√2), with half a ball around each focus, which lies on the
+/// surface.
 double estimate_tets(const SizeField& field, double volume_mm3);
 
 double mean_edge(const Surface& surface);
