@@ -11,6 +11,7 @@ namespace palpate::sheet {
 namespace {
 
 constexpr double text_height = 10, tick_height = 7;
+constexpr int narrow = 300;  // pixels: the position reaches the middle
 
 /// 1, 2 or 5 times a power of ten: about a quarter of the panel's width.
 double round_length_mm(const Panel& panel) {
@@ -66,7 +67,7 @@ void write_directions(cv::Mat& picture, const Panel& panel, double height) {
   };
   letter(panel.view.left, p.x + height, y);
   letter(panel.view.right, p.x + p.width - height, y);
-  letter(panel.view.top, x, p.y + 1.7 * height);
+  letter(panel.view.top, x, p.y + (p.width < narrow ? 24 : 0) + 1.7 * height);
   letter(panel.view.bottom, x, p.y + p.height - 0.6 * height);
 }
 
