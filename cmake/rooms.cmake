@@ -13,15 +13,17 @@ function(palpate_room name)
   target_link_libraries(palpate_${name} PUBLIC palpate_words palpate_flags PRIVATE ${ARGN})
 endfunction()
 
-# palpate_program(<file>.cpp [<library>...]): the executable palpate-<file>.
+# palpate_program(<file>.cpp [<library>...]): the executable palpate-<file>. palpate.cpp is a group of commands with a main() of its own.
 function(palpate_program file)
   cmake_path(GET file STEM stem)
   string(REPLACE "_" "-" program "palpate-${stem}")
+  set(main palpate_main)
   if(stem STREQUAL "palpate")
     set(program palpate)
+    set(main "")
   endif()
   add_executable(${program} ${file})
-  target_link_libraries(${program} PRIVATE palpate_main palpate_words palpate_flags ${ARGN})
+  target_link_libraries(${program} PRIVATE ${main} palpate_words palpate_flags ${ARGN})
   set_property(GLOBAL APPEND PROPERTY PALPATE_PROGRAMS ${program})
 endfunction()
 

@@ -93,7 +93,7 @@ std::vector<ArgumentSpec> all_arguments(const Usage& usage) {
 void reject_extras(const Usage& usage, const std::vector<std::string>& extras) {
   if (extras.empty()) return;
   const std::string word = extras.front();
-  if (!word.starts_with("-")) misuse("one file too many: " + word, "", "see palpate-" + usage.name + " --help");
+  if (!word.starts_with("-")) misuse("one file too many: " + word, "", "see " + usage.program() + " --help");
   std::vector<std::string> known;
   for (const auto& option : all_options(usage)) known.push_back("--" + option.name);
   misuse("unknown option: " + word, "", "did you mean " + nearest_name(word.substr(0, word.find('=')), known) + "?");
@@ -124,12 +124,12 @@ void parse(Command::State& state) {
   try {
     app.parse(std::vector<std::string>(state.arguments.rbegin(), state.arguments.rend()));
   } catch (const CLI::ParseError& error) {
-    misuse(error.what(), "", "see palpate-" + state.usage.name + " --help");
+    misuse(error.what(), "", "see " + state.usage.program() + " --help");
   }
   reject_extras(state.usage, app.remaining());
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (paths[i].empty())
-      misuse("missing: " + arguments[i].name + " (" + arguments[i].meaning + ")", "", "palpate-" + state.usage.name + " --help shows the usage");
+      misuse("missing: " + arguments[i].name + " (" + arguments[i].meaning + ")", "", state.usage.program() + " --help shows the usage");
     (i < state.usage.inputs.size() ? state.inputs : state.targets)[arguments[i].name] = without_trailing_slash(paths[i]);
   }
   for (const auto& option : options) {
@@ -199,7 +199,7 @@ Json card_of(const Command::State& state, Hashes hashes) {
     if (o.kind == OptionKind::file && !state.options[o.name].is_null()) add(o.name, state.options[o.name].get<std::string>(), true);
   for (const auto& [name, path] : state.added_inputs) add(name, path, true);
   return {{"schema", "palpate-card/1"},
-          {"tool", "palpate-" + state.usage.name},
+          {"tool", state.usage.program()},
           {"version", PALPATE_VERSION},
           {"command", state.arguments},
           {"options", options},
@@ -254,6 +254,7 @@ double peak_memory_mb() {
 void execute(Command& command, RunFunction run) {
   Command::State& state = command.state();
   expect_inputs(state);
+  if (state.usage.outputs.empty()) return run(command);
   if (state.options["skip-current"].get<bool>() &&
       card_is_current(card_of(state, Hashes::omit), state.targets.at(state.usage.outputs.front().name))) {
     command.print("current");
@@ -286,7 +287,7 @@ Json catalogue_json(const Usage& usage) {
 bool answered_question(const Usage& usage, const std::vector<std::string>& arguments) {
   for (const auto& word : arguments) {
     if (word == "--help") std::cout << help_text(usage);
-    else if (word == "--version") std::cout << "palpate-" << usage.name << " " << PALPATE_VERSION << "\n";
+    else if (word == "--version") std::cout << usage.program() << " " << PALPATE_VERSION << "\n";
     else if (word == "--describe") std::cout << describe(usage).dump(2) << "\n";
     else if (word == "--xml") std::cout << slicer_xml(usage);
     else if (word == "--catalogue") std::cout << catalogue_json(usage).dump(2) << "\n";
@@ -299,6 +300,40 @@ bool answered_question(const Usage& usage, const std::vector<std::string>& argum
 int report(const std::string& program, ExitCode code, const std::string& message) {
   std::cerr << program << ": " << message << "\n";
   return static_cast<int>(code);
+}
+
+int run_command(const Usage& usage, RunFunction run, const std::vector<std::string>& arguments) {
+  if (!answered_question(usage, arguments)) {
+    Command command(usage, arguments);
+    execute(command, run);
+  }
+  return std::cout.flush() ? 0 : 3;
+}
+
+bool answered_group_question(const Group& group, const std::string& word) {
+  if (word == "--help") std::cout << help_text(group);
+  else if (word == "--version") std::cout << group.program << " " << PALPATE_VERSION << "\n";
+  else if (word == "--describe") std::cout << describe(group).dump(2) << "\n";
+  else if (word == "--xml") std::cout << slicer_xml(group);
+  else if (word == "--catalogue") std::cout << "[]\n";
+  else return false;
+  return true;
+}
+
+/// Runs `work`; whatever it throws becomes a message and an exit code.
+template <class Work>
+int guarded(const std::string& program, Work work) {
+  try {
+    return work();
+  } catch (const Failure& failure) {
+    return report(program, failure.code(), failure.what());
+  } catch (const fs::filesystem_error& error) {
+    return report(program, ExitCode::unreadable, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(program, ExitCode::refused, "not enough memory\n  try:   a coarser mesh or scan, or a larger machine");
+  } catch (const std::exception& error) {
+    return report(program, ExitCode::defect, std::string("a defect of ours: ") + error.what() + "\n  try:   please report it with the command line");
+  }
 }
 
 }  // namespace
@@ -330,7 +365,7 @@ bool Command::verbose() const { return flag("verbose"); }
 
 Progress Command::progress(const std::string& label, std::size_t total) const { return Progress(label, total, flag("quiet")); }
 void Command::say(const std::string& message) const {
-  if (!flag("quiet")) std::cerr << "palpate-" << state_->usage.name << ": " << message << "\n";
+  if (!flag("quiet")) std::cerr << state_->usage.program() << ": " << message << "\n";
 }
 void Command::print(const std::string& result) const { std::cout << result << "\n"; }
 void Command::warn(const std::string& message) {
@@ -344,22 +379,27 @@ void Command::add_input(const std::string& name, const fs::path& path) { state_-
 int run_program(int argc, char** argv, UsageFunction usage_of, RunFunction run) {
   Usage usage;
   usage_of(usage);
-  const std::string program = "palpate-" + usage.name;
-  try {
-    const std::vector<std::string> arguments(argv + 1, argv + argc);
-    if (answered_question(usage, arguments)) return std::cout.flush() ? 0 : 3;
-    Command command(usage, arguments);
-    execute(command, run);
-    return std::cout.flush() ? 0 : 3;
-  } catch (const Failure& failure) {
-    return report(program, failure.code(), failure.what());
-  } catch (const fs::filesystem_error& error) {
-    return report(program, ExitCode::unreadable, error.what());
-  } catch (const std::bad_alloc&) {
-    return report(program, ExitCode::refused, "not enough memory\n  try:   a coarser mesh or scan, or a larger machine");
-  } catch (const std::exception& error) {
-    return report(program, ExitCode::defect, std::string("a defect of ours: ") + error.what() + "\n  try:   please report it with the command line");
+  return guarded(usage.program(), [&] { return run_command(usage, run, {argv + 1, argv + argc}); });
+}
+
+int run_group(int argc, char** argv, Group group, const std::vector<GroupCommand>& commands, OtherwiseFunction otherwise) {
+  for (const GroupCommand& command : commands) {
+    Usage usage;
+    usage.prefix = group.program + " ";
+    command.usage_of(usage);
+    group.commands.push_back(std::move(usage));
   }
+  std::vector<std::string> rest(argv + 1, argv + argc);
+  if (rest.empty()) return guarded(group.program, [&]() -> int { misuse("missing: a command", "", "see " + group.program + " --help"); });
+  const std::string word = rest.front();
+  rest.erase(rest.begin());
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    if (group.commands[i].name == word)
+      return guarded(group.commands[i].program(), [&] { return run_command(group.commands[i], commands[i].run, rest); });
+  return guarded(group.program, [&] {
+    if (answered_group_question(group, word)) return std::cout.flush() ? 0 : 3;
+    return otherwise(word, rest);
+  });
 }
 
 }  // namespace palpate

@@ -166,6 +166,10 @@ void help_option(std::ostream& out, const OptionSpec& o) {
   out << "\n";
 }
 
+const char* const exit_codes =
+    "exit codes: 0 done · 1 defect of ours · 2 misuse · 3 file unreadable or unwritable · 4 a check failed · 5 did not converge · "
+    "6 refused\n";
+
 }  // namespace
 
 Json describe(const Usage& u) {
@@ -176,13 +180,13 @@ Json describe(const Usage& u) {
     outputs.push_back({{"name", s.name}, {"kind", "file"}, {"beside", s.of}, {"suffix", s.suffix}, {"meaning", s.meaning}});
   for (const auto& o : u.options) options.push_back(option_json(o));
   for (const auto& o : common_options()) common.push_back(option_json(o));
-  return {{"schema", "palpate-describe/1"}, {"name", "palpate-" + u.name}, {"version", PALPATE_VERSION}, {"sentence", u.sentence},
+  return {{"schema", "palpate-describe/1"}, {"name", u.program()}, {"version", PALPATE_VERSION}, {"sentence", u.sentence},
           {"details", u.details}, {"inputs", inputs}, {"outputs", outputs}, {"options", options}, {"common_options", common}};
 }
 
 std::string slicer_xml(const Usage& u) {
   std::ostringstream out;
-  out << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Palpate</category>\n  <title>palpate-" << u.name
+  out << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Palpate</category>\n  <title>" << u.program()
       << "</title>\n  <description>" << escaped(u.sentence) << "</description>\n  <version>" << PALPATE_VERSION
       << "</version>\n  <license>GPL-3.0-or-later</license>\n  <parameters>\n    <label>Files</label>\n"
       << "    <description>Inputs and outputs</description>\n";
@@ -198,23 +202,48 @@ std::string slicer_xml(const Usage& u) {
 
 std::string help_text(const Usage& u) {
   std::ostringstream out;
-  out << "palpate-" << u.name << ": " << u.sentence << "\n\nusage: palpate-" << u.name;
+  out << u.program() << ": " << u.sentence << "\n\nusage: " << u.program();
   for (const auto& a : u.inputs) out << " " << a.example;
   for (const auto& a : u.outputs) out << " " << a.example;
   out << " [options]\n";
   if (!u.details.empty()) out << "\n" << u.details << "\n";
-  out << "\nreads\n";
+  if (!u.inputs.empty()) out << "\nreads\n";
   for (const auto& a : u.inputs) out << "  " << a.name << ": " << a.meaning << "\n";
-  out << "writes\n";
+  if (!u.outputs.empty()) out << "writes\n";
   for (const auto& a : u.outputs) out << "  " << a.name << ": " << a.meaning << "\n";
   for (const auto& s : u.side_outputs) out << "  " << s.name << " (<" << s.of << ">" << s.suffix << "): " << s.meaning << "\n";
   out << "\noptions\n";
   for (const auto& o : u.options) help_option(out, o);
   out << "\ncommon options\n";
   for (const auto& o : common_options()) help_option(out, o);
-  out << "  --help, --version, --describe (JSON), --xml (Slicer Execution Model), --catalogue (JSON)\n\n"
-      << "exit codes: 0 done · 1 defect of ours · 2 misuse · 3 file unreadable or unwritable · 4 a check failed · 5 did not converge · "
-         "6 refused\n";
+  out << "  --help, --version, --describe (JSON), --xml (Slicer Execution Model), --catalogue (JSON)\n\n" << exit_codes;
+  return out.str();
+}
+
+Json describe(const Group& g) {
+  Json commands = Json::array(), common = Json::array();
+  for (const Usage& u : g.commands) commands.push_back(describe(u));
+  for (const auto& o : common_options()) common.push_back(option_json(o));
+  return {{"schema", "palpate-describe/1"}, {"name", g.program}, {"version", PALPATE_VERSION}, {"sentence", g.sentence}, {"details", g.details},
+          {"inputs", Json::array()}, {"outputs", Json::array()}, {"options", Json::array()}, {"common_options", common}, {"commands", commands}};
+}
+
+std::string slicer_xml(const Group& g) {
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Palpate</category>\n  <title>" + g.program +
+         "</title>\n  <description>" + escaped(g.sentence) + "</description>\n  <version>" PALPATE_VERSION
+         "</version>\n  <license>GPL-3.0-or-later</license>\n</executable>\n";
+}
+
+std::string help_text(const Group& g) {
+  std::ostringstream out;
+  out << g.program << ": " << g.sentence << "\n\ncommands\n";
+  for (const Usage& u : g.commands) {
+    std::string left = "  " + u.program();
+    for (const auto& a : u.inputs) left += " " + a.example;
+    out << left << std::string(left.size() < 30 ? 30 - left.size() : 1, ' ') << u.sentence << "\n";
+  }
+  out << "\n" << g.details << "\n\n" << g.program << " <command> --help says more about one command.\n"
+      << "  --help, --version, --describe (JSON), --xml (Slicer Execution Model), --catalogue (JSON)\n\n" << exit_codes;
   return out.str();
 }
 

@@ -48,6 +48,7 @@ struct OptionSpec {
 /// Filled by a program's usage(). Order of calls is the order on the command line and in help.
 struct Usage {
   std::string name;      ///< "segment" for palpate-segment
+  std::string prefix = "palpate-";  ///< "palpate " for a command of a group: palpate run
   std::string sentence;  ///< what it does, one sentence
   std::string details;   ///< a paragraph for --help and the docs page; may be empty
   std::vector<ArgumentSpec> inputs, outputs;
@@ -55,6 +56,7 @@ struct Usage {
   std::vector<OptionSpec> options;
   std::function<std::vector<CatalogueEntry>()> catalogue;  ///< this program's part of `palpate list`; may be empty
 
+  std::string program() const { return prefix + name; }
   void input(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
   void output(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
   void side_output(std::string name, std::string of, std::string suffix, std::string meaning);
@@ -77,6 +79,17 @@ std::string slicer_xml(const Usage& usage);
 
 /// The program as text (`--help`).
 std::string help_text(const Usage& usage);
+
+/// Several commands under one program: `palpate run`, `palpate list`.
+struct Group {
+  std::string program;   ///< "palpate"
+  std::string sentence;
+  std::string details;
+  std::vector<Usage> commands;
+};
+Json describe(const Group& group);
+std::string slicer_xml(const Group& group);  ///< Slicer knows no groups: an executable without parameters
+std::string help_text(const Group& group);
 
 /// The options every program has: threads, seed, quiet, verbose, force, skip-current.
 const std::vector<OptionSpec>& common_options();
