@@ -3,4 +3,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Headers: vtk[A-Za-z0-9]*\.h
 # Homes: include/palpate pipeline/report
-find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOXML QUIET)
+set(VTK_RENDERING_COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersHybrid IOImage RenderingCore RenderingOpenGL2)
+find_package(VTK REQUIRED COMPONENTS IOXML ${VTK_RENDERING_COMPONENTS} QUIET)
+list(TRANSFORM VTK_RENDERING_COMPONENTS PREPEND VTK:: OUTPUT_VARIABLE VTK_RENDERING)

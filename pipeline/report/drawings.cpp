@@ -1,0 +1,151 @@
+// Reads surface, mesh and the deepest frames, finds the scale of the colours, draws.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pipeline/report/drawings.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <palpate/errors.hpp>
+#include <pipeline/report/private_display.hpp>
+
+namespace palpate {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void damaged(const fs::path& path, const std::string& what) {
+  throw Failure(ExitCode::unreadable, what, path.string(), "run the stage that writes it again");
+}
+
+std::string place_text(const Vec3& x) {
+  char text[80];
+  std::snprintf(text, sizeof text, "(%.1f, %.1f, %.1f) mm", x[0], x[1], x[2]);
+  return text;
+}
+
+/// The values of a field, `components` per item; empty when there is none and it is not needed.
+std::vector<double> values_of(const std::vector<Field>& fields, const std::string& name, int components, std::size_t items, const fs::path& file,
+                              bool needed) {
+  for (const Field& field : fields) {
+    if (field.name != name) continue;
+    if (field.components != components || field.values.size() != components * items) damaged(file, "the field " + name + " does not fit the mesh");
+    return field.values;
+  }
+  if (needed) damaged(file, "the field " + name + " is missing");
+  return {};
+}
+
+void expect_finite(const std::vector<double>& values, int components, const std::string& name, const fs::path& file,
+                   const std::function<Vec3(std::size_t)>& place) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i])) damaged(file, name + " is not finite at " + place_text(place(i / components)));
+}
+
+Vec3 vec3_of(const Json& json, const std::string& key, const fs::path& file) {
+  try {
+    const Vec3 v = json.at(key).get<Vec3>();
+    if (std::isfinite(dot(v, v))) return v;
+  } catch (const Json::exception&) {
+  }
+  damaged(file, "tool." + key + " is not three numbers");
+}
+
+/// The tool at the depth of a frame: its tip at first contact, moved on along the axis.
+std::optional<Tool> tool_at(const Solve& solve, double depth_mm) {
+  const fs::path file = solve.folder / "summary.json";
+  if (!solve.summary.contains("tool")) return {};
+  const Json& json = solve.summary["tool"];
+  if (!json.is_object() || !json.contains("first_contact_mm")) return {};
+  Tool tool;
+  try {
+    tool.kind = json.at("kind").get<std::string>();
+    tool.radius_mm = json.at("radius_mm").get<double>();
+    tool.edge_radius_mm = json.value("edge_radius_mm", 0.0);
+  } catch (const Json::exception& error) {
+    damaged(file, std::string("tool: ") + error.what());
+  }
+  tool.axis = vec3_of(json, "axis", file);
+  if (!(norm(tool.axis) > 0) || !(tool.radius_mm > 0)) damaged(file, "tool: the axis or the radius is zero");
+  tool.axis = unit(tool.axis);
+  tool.tip_mm = vec3_of(json, "first_contact_mm", file) + depth_mm * tool.axis;
+  return tool;
+}
+
+double depth_at(const History& history, double time_s) {
+  const auto &times = history.column("t[s]"), &depths = history.column("depth[mm]");
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (std::abs(times[i] - time_s) < std::abs(times[nearest] - time_s)) nearest = i;
+  return depths[nearest];
+}
+
+struct LoadedFrame {
+  Pressed pressed;
+  PressedDrawing drawing;
+  double stress_scale_mpa = 0;  ///< 99.5 % of the tetrahedra lie below
+};
+
+LoadedFrame load(const Solve& solve, const Frame& frame) {
+  LoadedFrame loaded;
+  Pressed& pressed = loaded.pressed;
+  PressedDrawing& drawing = loaded.drawing;
+  drawing.solve = solve.name;
+  drawing.time_s = frame.time_s;
+  drawing.depth_mm = depth_at(solve.history, frame.time_s);
+  pressed.mesh = read_mesh(frame.file);
+  if (pressed.mesh.tets.empty()) damaged(frame.file, "no tetrahedra");
+  const MeshFields fields = read_mesh_fields(frame.file);
+  const auto& points = pressed.mesh.points;
+  const auto& tets = pressed.mesh.tets;
+  const auto moved = values_of(fields.on_points, "displacement", 3, points.size(), frame.file, true);
+  pressed.von_mises = values_of(fields.on_tets, "von_mises", 1, tets.size(), frame.file, true);
+  const auto J = values_of(fields.on_tets, "J", 1, tets.size(), frame.file, false);
+  const auto corner = [&](std::size_t t) { return points[tets[t][0]]; };
+  expect_finite(moved, 3, "displacement", frame.file, [&](std::size_t i) { return points[i]; });
+  expect_finite(pressed.von_mises, 1, "von_mises", frame.file, corner);
+  expect_finite(J, 1, "J", frame.file, corner);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    pressed.displacement.push_back({moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]});
+    drawing.largest_displacement_mm = std::max(drawing.largest_displacement_mm, norm(pressed.displacement.back()));
+  }
+  std::vector<double> sorted = pressed.von_mises;
+  std::sort(sorted.begin(), sorted.end());
+  drawing.largest_stress_mpa = sorted.back();
+  loaded.stress_scale_mpa = sorted[std::size_t(0.995 * (sorted.size() - 1))];
+  drawing.has_J = !J.empty();
+  if (drawing.has_J) drawing.smallest_J = *std::min_element(J.begin(), J.end());
+  pressed.tool = tool_at(solve, drawing.depth_mm);
+  return loaded;
+}
+
+}  // namespace
+
+Drawings draw_study(const Study& study, const std::function<void(const std::string&)>& tell) {
+  std::vector<LoadedFrame> frames;
+  for (const Solve& solve : study.solves)
+    if (const Frame* frame = deepest_frame(solve)) frames.push_back(load(solve, *frame));
+  Drawings drawings;
+  for (const LoadedFrame& frame : frames) {
+    drawings.displacement_scale_mm = std::max(drawings.displacement_scale_mm, frame.drawing.largest_displacement_mm);
+    drawings.stress_scale_mpa = std::max(drawings.stress_scale_mpa, frame.stress_scale_mpa);
+  }
+  const double displacement_top = std::max(drawings.displacement_scale_mm, 1e-12), stress_top = std::max(drawings.stress_scale_mpa, 1e-12);
+  const PrivateDisplay display;
+  if (!study.surface.empty()) {
+    tell("surface");
+    drawings.surface = surface_pictures(read_surface(study.surface));
+  }
+  if (!study.mesh.empty()) {
+    tell("mesh");
+    drawings.mesh = mesh_pictures(read_mesh(study.mesh));
+  }
+  for (LoadedFrame& frame : frames) {
+    tell(frame.drawing.solve);
+    frame.drawing.outside = pressed_outside(frame.pressed, displacement_top);
+    frame.drawing.sections = pressed_sections(frame.pressed, stress_top);
+    drawings.pressed.push_back(std::move(frame.drawing));
+  }
+  return drawings;
+}
+
+}  // namespace palpate

@@ -1,0 +1,189 @@
+// VTK's renderer, off screen: drawn at twice the size and averaged, which smooths edges and keeps transparency exact.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pipeline/report/scene.hpp>
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkImageData.h>
+#include <vtkLightKit.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include <palpate/errors.hpp>
+
+namespace palpate {
+namespace {
+
+constexpr int oversampling = 2;
+
+/// viridis at equal steps (van der Walt and Smith 2015, CC0).
+constexpr std::array<std::array<int, 3>, 9> viridis{
+    {{68, 1, 84}, {71, 44, 122}, {59, 81, 139}, {44, 113, 142}, {33, 144, 141}, {39, 173, 129}, {92, 200, 99}, {170, 220, 50}, {253, 231, 37}}};
+
+vtkSmartPointer<vtkColorTransferFunction> field_map(const std::array<double, 2>& range) {
+  auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
+  map->SetColorSpaceToRGB();
+  for (std::size_t i = 0; i < viridis.size(); ++i) {
+    const double x = range[0] + (range[1] - range[0]) * double(i) / (viridis.size() - 1);
+    map->AddRGBPoint(x, viridis[i][0] / 255.0, viridis[i][1] / 255.0, viridis[i][2] / 255.0);
+  }
+  return map;
+}
+
+vtkSmartPointer<vtkActor> actor_of(vtkPolyData& shape, const Look& look) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&shape);
+  mapper->ScalarVisibilityOff();
+  if (!look.field.empty()) {
+    mapper->ScalarVisibilityOn();
+    if (shape.GetPointData()->HasArray(look.field.c_str())) mapper->SetScalarModeToUsePointFieldData();
+    else mapper->SetScalarModeToUseCellFieldData();
+    mapper->SelectColorArray(look.field.c_str());
+    mapper->SetLookupTable(field_map(look.range));
+    mapper->InterpolateScalarsBeforeMappingOn();
+    mapper->UseLookupTableScalarRangeOn();
+  }
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty& property = *actor->GetProperty();
+  property.SetColor(look.colour[0], look.colour[1], look.colour[2]);
+  property.SetOpacity(look.opacity);
+  property.SetLineWidth(look.line_width * oversampling);
+  property.SetEdgeVisibility(look.edges);
+  property.SetEdgeColor(0.10, 0.12, 0.16);
+  property.SetSpecular(look.lit ? 0.15 : 0);
+  property.SetSpecularPower(25);
+  property.SetLighting(look.lit);
+  return actor;
+}
+
+void aim_camera(vtkRenderer& renderer, const View& view) {
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  const double away = 10 * (view.width_mm + view.height_mm);
+  const Vec3 eye = view.centre - away * unit(view.toward);
+  camera.ParallelProjectionOn();
+  camera.SetFocalPoint(view.centre.data());
+  camera.SetPosition(eye.data());
+  camera.SetViewUp(view.up.data());
+  camera.SetParallelScale(view.height_mm / 2);
+  renderer.ResetCameraClippingRange();
+}
+
+/// Means of oversampling × oversampling pixels. VTK leaves colours multiplied by their opacity; a PNG wants them plain.
+vtkSmartPointer<vtkImageData> averaged(vtkUnsignedCharArray& fine, int width, int height) {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const unsigned char* from = fine.GetPointer(0);
+  auto* to = static_cast<unsigned char*>(image->GetScalarPointer());
+  constexpr int n = oversampling;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x, to += 4) {
+      int sum[4] = {0, 0, 0, 0};
+      for (int sub = 0; sub < n * n; ++sub) {
+        const std::size_t pixel = std::size_t(y * n + sub / n) * width * n + x * n + sub % n;
+        for (int c = 0; c < 4; ++c) sum[c] += from[4 * pixel + c];
+      }
+      for (int c = 0; c < 3; ++c) to[c] = sum[3] == 0 ? 0 : static_cast<unsigned char>(std::min(255, (sum[c] * 255 + sum[3] / 2) / sum[3]));
+      to[3] = static_cast<unsigned char>((sum[3] + n * n / 2) / (n * n));
+    }
+  return image;
+}
+
+std::string png_bytes(vtkImageData& image) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(&image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)), std::size_t(bytes->GetNumberOfValues())};
+}
+
+bool is_empty(vtkUnsignedCharArray& pixels) {
+  for (vtkIdType i = 3; i < pixels.GetNumberOfValues(); i += 4)
+    if (pixels.GetValue(i) != 0) return false;
+  return true;
+}
+
+}  // namespace
+
+View fit_view(const std::vector<Vec3>& points, const Vec3& toward, const Vec3& up) {
+  const Vec3 into = unit(toward);
+  const Vec3 right = unit(cross(into, up));
+  const Vec3 above = cross(right, into);
+  const std::array<Vec3, 3> axes{right, above, into};
+  std::array<double, 3> low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const Vec3& point : points)
+    for (int a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], dot(point, axes[a]));
+      high[a] = std::max(high[a], dot(point, axes[a]));
+    }
+  constexpr double margin = 1.06;
+  View view{into, above, {0, 0, 0}, margin * (high[0] - low[0]), margin * (high[1] - low[1])};
+  for (int a = 0; a < 3; ++a) view.centre = view.centre + ((low[a] + high[a]) / 2) * axes[a];
+  view.height_mm = std::max(view.height_mm, 0.45 * view.width_mm);
+  view.width_mm = std::max(view.width_mm, 1.1 * view.height_mm);
+  return view;
+}
+
+void Scene::add(vtkSmartPointer<vtkPolyData> shape, const Look& look) { shapes_.push_back({std::move(shape), look}); }
+
+Picture Scene::draw(const View& view, int width_pixels) const {
+  Picture picture;
+  picture.width = width_pixels;
+  picture.height = std::max(1, static_cast<int>(std::lround(width_pixels * view.height_mm / view.width_mm)));
+  picture.mm_per_pixel = view.width_mm / width_pixels;
+  picture.right = unit(cross(view.toward, view.up));
+  picture.up = unit(cross(picture.right, view.toward));
+  vtkNew<vtkRenderer> renderer;
+  for (const Shape& shape : shapes_) {
+    const auto actor = actor_of(*shape.shape, shape.look);
+    Vec3 lifted = (-1e-3 * shape.look.layer * view.width_mm) * unit(view.toward);  // unseen in parallel projection
+    actor->SetPosition(lifted.data());
+    renderer->AddActor(actor);
+  }
+  renderer->SetBackground(0, 0, 0);
+  renderer->SetBackgroundAlpha(0);
+  vtkNew<vtkLightKit> lights;
+  lights->AddLightsToRenderer(renderer);
+  aim_camera(*renderer, view);
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetAlphaBitPlanes(1);
+  window->SetMultiSamples(0);
+  window->SetSize(picture.width * oversampling, picture.height * oversampling);
+  window->AddRenderer(renderer);
+  lights->Update();
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetRGBACharPixelData(0, 0, picture.width * oversampling - 1, picture.height * oversampling - 1, 0, pixels);
+  if (pixels->GetNumberOfValues() == 0 || is_empty(*pixels))
+    throw Failure(ExitCode::unreadable, "nothing could be drawn: OpenGL gives an empty picture", "", "apt install xvfb libgl1-mesa-dri");
+  picture.png = png_bytes(*averaged(*pixels, picture.width, picture.height));
+  return picture;
+}
+
+std::vector<std::string> field_colours() {
+  std::vector<std::string> colours;
+  for (const auto& c : viridis) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", c[0], c[1], c[2]);
+    colours.emplace_back(text);
+  }
+  return colours;
+}
+
+}  // namespace palpate

@@ -1,0 +1,43 @@
+// A few shapes, lit, seen in parallel projection without a window, as a PNG with a transparent ground (for light and dark pages).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <pipeline/report/picture.hpp>
+
+namespace palpate {
+
+using Colour = std::array<double, 3>;  ///< red, green, blue in 0..1
+
+/// How a shape is drawn. With `field` set its colours come from that array, from range[0] (dark) to range[1] (bright).
+struct Look {
+  Colour colour{0.8, 0.8, 0.8};
+  double opacity = 1;
+  bool edges = false;      ///< draws the edges of the faces too
+  bool lit = true;         ///< shaded; otherwise the plain colour
+  double line_width = 1;   ///< pixels
+  int layer = 0;           ///< of shapes at the same depth, the higher layer is seen
+  std::string field{};      ///< empty: the plain colour
+  std::array<double, 2> range{0, 1};
+};
+
+class Scene {
+ public:
+  void add(vtkSmartPointer<vtkPolyData> shape, const Look& look);
+  /// Needs a display (PrivateDisplay). Throws Failure(unreadable) when nothing can be drawn.
+  Picture draw(const View& view, int width_pixels) const;
+
+ private:
+  struct Shape {
+    vtkSmartPointer<vtkPolyData> shape;
+    Look look;
+  };
+  std::vector<Shape> shapes_;
+};
+
+}  // namespace palpate
