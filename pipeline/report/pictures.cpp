@@ -9,8 +9,10 @@
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkPolyDataSilhouette.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -138,7 +140,7 @@ void add_regions(Scene& scene, const std::vector<Vec3>& points, const Triangles&
     look.colour = pale ? paler(region_colour(region)) : region_colour(region);
     look.edges = edges;
     look.line_width = 0.5;
-    scene.add(edges ? shape : smooth_shaded(*shape), look);
+    scene.add(edges ? shape.Get() : smooth_shaded(*shape).Get(), look);
   }
 }
 
@@ -286,7 +288,7 @@ std::vector<NamedPicture> pressed_sections(const Pressed& pressed, double stress
   for (const bool near : {false, true}) {
     if (near && !pressed.tool) break;
     Scene scene;
-    scene.add(section, {.edges = near, .lit = false, .line_width = 0.5, .field = "von_mises", .range = {0, stress_mpa}});
+    scene.add(section.Get(), {.edges = near, .lit = false, .line_width = 0.5, .field = "von_mises", .range = {0, stress_mpa}});
     scene.add(edge, {.colour = ink, .lit = false, .line_width = 1.2, .layer = 1});
     scene.add(rest, {.colour = rest_line, .lit = false, .line_width = 1.5, .layer = 3});
     std::vector<Vec3> seen = used_points(pressed.mesh.points, triangles);

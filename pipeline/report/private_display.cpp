@@ -3,8 +3,8 @@
 #include <pipeline/report/private_display.hpp>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
+#include <sys/poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>

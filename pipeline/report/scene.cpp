@@ -11,10 +11,12 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -139,7 +141,15 @@ View fit_view(const std::vector<Vec3>& points, const Vec3& toward, const Vec3& u
   return view;
 }
 
-void Scene::add(vtkSmartPointer<vtkPolyData> shape, const Look& look) { shapes_.push_back({std::move(shape), look}); }
+struct Scene::Shape {
+  vtkSmartPointer<vtkPolyData> shape;
+  Look look;
+};
+
+Scene::Scene() = default;
+Scene::~Scene() = default;
+
+void Scene::add(vtkPolyData* shape, const Look& look) { shapes_.push_back({shape, look}); }
 
 Picture Scene::draw(const View& view, int width_pixels) const {
   Picture picture;

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
 #include <pipeline/report/picture.hpp>
+
+class vtkPolyData;
 
 namespace palpate {
 
@@ -28,15 +27,15 @@ struct Look {
 
 class Scene {
  public:
-  void add(vtkSmartPointer<vtkPolyData> shape, const Look& look);
+  Scene();
+  ~Scene();
+  /// Keeps a reference to `shape`.
+  void add(vtkPolyData* shape, const Look& look);
   /// Needs a display (PrivateDisplay). Throws Failure(unreadable) when nothing can be drawn.
   Picture draw(const View& view, int width_pixels) const;
 
  private:
-  struct Shape {
-    vtkSmartPointer<vtkPolyData> shape;
-    Look look;
-  };
+  struct Shape;
   std::vector<Shape> shapes_;
 };
 
