@@ -1,0 +1,70 @@
+// mask → smooth field → contour at the volume of the voxels → remeshing → volume restored → regions.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pipeline/surface/build_surface.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <pipeline/surface/contour.hpp>
+#include <pipeline/surface/field.hpp>
+#include <pipeline/surface/measure.hpp>
+#include <pipeline/surface/regions.hpp>
+#include <pipeline/surface/remesh.hpp>
+#include <pipeline/surface/smooth.hpp>
+
+namespace palpate {
+namespace {
+
+constexpr double lattice_nodes_max = 6e7;  ///< 240 MB a field
+
+/// Fine enough for the triangles and the voxels, coarser only where the lattice would not fit.
+double lattice_step(const Grid& grid, double edge_mm) {
+  const Vec3 spacing = grid.spacing();
+  double box_mm3 = 1;
+  for (int axis = 0; axis < 3; ++axis) box_mm3 *= grid.size[axis] * spacing[axis];
+  const double finest = *std::min_element(spacing.begin(), spacing.end());
+  return std::max({edge_mm / 2, finest / 2, std::cbrt(box_mm3 / lattice_nodes_max)});
+}
+
+/// Blurring may leave crumbs where labels were thin, and bubbles where they were porous: less than half of what a piece must have.
+Surface without_small_shells(const Surface& surface, const MaskOptions& options, SurfaceLedger& ledger) {
+  const auto all = shells(surface);
+  const double least_mm3 = std::max(0.5 * options.min_piece, 1e-4) * all.front().volume_mm3;
+  std::vector<bool> kept(surface.triangles.size(), false);
+  for (const Shell& shell : all) {
+    const bool keep = shell.volume_mm3 >= least_mm3 || (options.keep_cavities && -shell.volume_mm3 >= least_mm3);
+    if (!keep) ++ledger.crumbs, ledger.crumbs_mm3 += std::abs(shell.volume_mm3);
+    for (int t : shell.triangles) kept[t] = keep;
+  }
+  return part_of(surface, kept);
+}
+
+}  // namespace
+
+Surface build_surface(const Labels& labels, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
+  const Labels box = crop(labels);
+  const Mask mask = organ_mask(box, options.mask, ledger.mask);
+  ledger.voxels_mm3 = ledger.mask.mm3;
+  ledger.edge_mm = options.edge_mm > 0 ? options.edge_mm : std::cbrt(ledger.mask.kept.front().mm3) / 20;
+  const double smooth_mm = options.smooth_mm > 0 ? options.smooth_mm : std::max(default_smooth_mm(mask.grid), ledger.edge_mm / 3);
+  ledger.sigma_mm = gaussian_mm(mask.grid, smooth_mm);
+  ledger.step_mm = lattice_step(mask.grid, ledger.edge_mm);
+  tell("smoothing on a lattice of " + std::to_string(ledger.step_mm) + " mm");
+  const Vec3 spacing = mask.grid.spacing();
+  const double slack_mm = 0.5 * *std::min_element(spacing.begin(), spacing.end());
+  const Scan weights = consistent_weights(mask, ledger.sigma_mm, slack_mm, options.steps);
+  const Scan field = organ_field(weights, ledger.sigma_mm, ledger.step_mm);
+  Surface surface = contour_of_volume(field, ledger.voxels_mm3);
+  surface = without_small_shells(surface, options.mask, ledger);
+  ledger.raw_mm3 = volume_mm3(surface);
+  ledger.raw_triangles = surface.triangles.size();
+  tell("remeshing " + std::to_string(ledger.raw_triangles) + " triangles to edges of " + std::to_string(ledger.edge_mm) + " mm");
+  surface = remesh(surface, ledger.edge_mm, options.iterations);
+  ledger.offset_mm = restore_volume(surface, ledger.voxels_mm3);
+  ledger.final_mm3 = volume_mm3(surface);
+  const double reach = 4 * *std::max_element(ledger.sigma_mm.begin(), ledger.sigma_mm.end());
+  surface.triangle_region = nearest_labels(surface, box, options.mask.labels, reach);
+  return surface;
+}
+
+}  // namespace palpate

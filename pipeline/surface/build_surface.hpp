@@ -1,0 +1,38 @@
+// Labels → closed, smooth, evenly triangulated surface, with a ledger of its volume.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <string>
+
+#include <pipeline/surface/mask.hpp>
+#include <palpate/mesh_files.hpp>
+
+namespace palpate {
+
+struct SurfaceOptions {
+  MaskOptions mask;
+  double smooth_mm = 0;  ///< standard deviation of the Gaussian; 0: 1.5 times the coarsest spacing, at least a third of the edge length
+  double edge_mm = 0;    ///< of the triangles; 0: a twentieth of the cube root of the largest piece's volume
+  int steps = 10;        ///< towards agreement with the voxels
+  int iterations = 8;    ///< of the remeshing
+};
+
+/// What happened on the way, for the card.
+struct SurfaceLedger {
+  MaskLedger mask;
+  double step_mm = 0, edge_mm = 0;
+  std::array<double, 3> sigma_mm{0, 0, 0};  ///< along the voxel axes
+  double voxels_mm3 = 0, raw_mm3 = 0, final_mm3 = 0;
+  double offset_mm = 0;                     ///< along the normals, to restore the volume after remeshing
+  std::size_t raw_triangles = 0;
+  int crumbs = 0;                           ///< small shells of the contour that were left out
+  double crumbs_mm3 = 0;
+};
+
+/// Tells the person how far it is.
+using Tell = std::function<void(const std::string&)>;
+
+/// The surface of the chosen labels; region of a triangle: the nearest label.
+Surface build_surface(const Labels& labels, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell);
+
+}  // namespace palpate
