@@ -129,7 +129,8 @@ std::optional<DicomHeader> read_dicom_header(const std::filesystem::path& path) 
   } catch (const std::exception&) {
     complete = false;
   }
-  if (magic && (!complete || file.ended_early()))
+  const bool deflated = reader.GetFile().GetHeader().GetDataSetTransferSyntax() == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian;
+  if (magic && (!complete || (file.ended_early() && !deflated)))  // inflating reads ahead
     throw Failure(ExitCode::unreadable, "a damaged or truncated DICOM file", path.string(), "copy it again from its source, or move it out of the folder");
   if (!complete) return std::nullopt;
   const DataSet& data = reader.GetFile().GetDataSet();

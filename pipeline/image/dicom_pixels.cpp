@@ -106,7 +106,8 @@ StoredPixels read_stored_pixels(const std::filesystem::path& path) {
   try {
     const QuietStderr quiet;
     const bool complete = reader.Read();
-    if (file.ended_early()) truncated(path);
+    const bool deflated = reader.GetFile().GetHeader().GetDataSetTransferSyntax() == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian;
+    if (file.ended_early() && !deflated) truncated(path);
     if (!complete) unreadable(path, "the image cannot be read: damaged or truncated", "copy the file again from its source");
     const gdcm::Image& image = reader.GetImage();
     if (image.GetPixelFormat().GetSamplesPerPixel() != 1 || image.GetPhotometricInterpretation().GetSamplesPerPixel() != 1 ||
