@@ -109,38 +109,37 @@ void write_header(Sheet& sheet, const SheetText& text) {
   }
 }
 
-/// Columns so that the sheet is about as wide as high.
 struct Layout {
-  int columns, rows, panel_width, panel_height;
+  int columns, panel_width, panel_height;
+  std::vector<int> slices;
 };
 
-Layout layout_of(double aspect, int panels) {
-  const int columns = std::clamp(static_cast<int>(std::lround(std::sqrt(panels * 1.5 / aspect))), 2, 8);
-  const int width = (sheet_width - 2 * margin - (columns - 1) * gap) / columns;
-  return {columns, (panels + columns - 1) / columns, width, std::max(20, static_cast<int>(std::lround(width / aspect)))};
+/// Columns so that the sheet is about as wide as high; slices evenly from the first to the last, in full rows when there are
+/// enough.
+Layout layout_of(double aspect, int first, int last) {
+  Layout layout;
+  layout.columns = std::clamp(static_cast<int>(std::lround(std::sqrt(panels_wanted * 1.5 / aspect))), 2, 8);
+  layout.panel_width = (sheet_width - 2 * margin - (layout.columns - 1) * gap) / layout.columns;
+  layout.panel_height = std::max(20, static_cast<int>(std::lround(layout.panel_width / aspect)));
+  const int rows = (panels_wanted + layout.columns / 2) / layout.columns;
+  const int count = std::min(layout.columns * rows, last - first + 1);
+  for (int p = 0; p < count; ++p)
+    layout.slices.push_back(count == 1 ? first : first + static_cast<int>(std::lround(double(p) * (last - first) / (count - 1))));
+  return layout;
 }
 
-void draw_panels(Sheet& sheet, const SliceView& view, const Crop2& crop, const Layout& layout, const std::vector<int>& slices) {
+void draw_panels(Sheet& sheet, const SliceView& view, const Crop2& crop, const Layout& layout) {
   const Window window = robust_window(sheet.scan, sheet.around);
-  for (int p = 0; p < static_cast<int>(slices.size()); ++p) {
+  for (int p = 0; p < static_cast<int>(layout.slices.size()); ++p) {
     const int x = margin + p % layout.columns * (layout.panel_width + gap);
     const int y = header_height + p / layout.columns * (layout.panel_height + gap);
     const sheet::Panel panel{sheet.scan.grid, view, crop, {x, y, layout.panel_width, layout.panel_height}};
-    draw_slice(sheet, panel, slices[p], window);
+    draw_slice(sheet, panel, layout.slices[p], window);
     sheet::draw_ticks(sheet.picture, panel);
     sheet::write_directions(sheet.picture, panel, 9);
-    sheet::write_position(sheet.picture, panel, position_mm(sheet, view, slices[p]));
+    sheet::write_position(sheet.picture, panel, position_mm(sheet, view, layout.slices[p]));
     sheet::draw_scale_bar(sheet.picture, panel);
   }
-}
-
-/// Evenly chosen slices from the label's first to its last, all of them when there are few.
-std::vector<int> chosen_slices(int first, int last) {
-  std::vector<int> slices;
-  const int count = std::min(panels_wanted, last - first + 1);
-  for (int p = 0; p < count; ++p)
-    slices.push_back(count == 1 ? first : first + static_cast<int>(std::lround(double(p) * (last - first) / (count - 1))));
-  return slices;
 }
 
 }  // namespace
@@ -150,15 +149,15 @@ std::string contact_sheet_png(const Scan& scan, const Mask& mask, const SheetTex
   Sheet sheet{scan, mask, label, block_around(label, scan.grid), {}};
   const SliceView view = view_through(scan.grid, coarsest_axis(scan.grid));
   const Crop2 crop = crop_of(sheet.around, scan.grid, view);
-  const auto slices = chosen_slices(label.first[view.through], label.last[view.through]);
-  const Layout layout =
-      layout_of(width_mm(crop, scan.grid, view) / height_mm(crop, scan.grid, view), static_cast<int>(slices.size()));
-  const int height = header_height + layout.rows * (layout.panel_height + gap) - gap + margin;
+  const double aspect = width_mm(crop, scan.grid, view) / height_mm(crop, scan.grid, view);
+  const Layout layout = layout_of(aspect, label.first[view.through], label.last[view.through]);
+  const int rows = (static_cast<int>(layout.slices.size()) + layout.columns - 1) / layout.columns;
+  const int height = header_height + rows * (layout.panel_height + gap) - gap + margin;
   sheet.picture = cv::Mat(height, sheet_width, CV_8UC3);
   ink::fill(sheet.picture, {0, 0, sheet_width, height}, sheet::background);
   write_header(sheet, text);
   draw_overviews(sheet);
-  draw_panels(sheet, view, crop, layout, slices);
+  draw_panels(sheet, view, crop, layout);
   std::vector<std::uint8_t> png;
   cv::imencode(".png", sheet.picture, png, {cv::IMWRITE_PNG_COMPRESSION, 9});
   return {png.begin(), png.end()};

@@ -8,6 +8,8 @@ namespace palpate::ink {
 namespace {
 
 constexpr int supersampling = 4;
+constexpr int halo_width = 2 * 1.5 * supersampling + 1;  // a pixel and a half of dark around strokes, for bright pictures
+constexpr double halo_opacity = 0.55;
 constexpr int font = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double capital_height = 21;  // of this font at scale 1, in pixels
 constexpr double raised_scale = 0.65, raised_by = 0.5;
@@ -80,6 +82,10 @@ void write(cv::Mat& picture, const std::string& text, double x, double y, double
     run_x += run_width(run, height, weight);
   }
   cv::Mat coverage;
+  cv::Mat halo;
+  cv::dilate(strokes, halo, cv::getStructuringElement(cv::MORPH_ELLIPSE, {halo_width, halo_width}));
+  cv::resize(halo, coverage, size, 0, 0, cv::INTER_AREA);
+  blend(picture, coverage * halo_opacity, corner, {0, 0, 0});
   cv::resize(strokes, coverage, size, 0, 0, cv::INTER_AREA);
   blend(picture, coverage, corner, colour);
 }

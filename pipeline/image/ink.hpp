@@ -25,7 +25,8 @@ enum class Align { left, centre, right };
 /// Width in pixels of `text` with capitals `height` pixels tall.
 double text_width(const std::string& text, double height, Weight weight = Weight::regular);
 
-/// Writes one line whose baseline starts (is centred, ends) at (x, y). The character after '^' is raised and small: "mm^3".
+/// Writes one line with a dark halo, whose baseline starts (is centred, ends) at (x, y). The character after '^' is raised and
+/// small: "mm^3".
 void write(cv::Mat& picture, const std::string& text, double x, double y, double height, const Colour& colour,
            Weight weight = Weight::regular, Align align = Align::left);
 
