@@ -159,7 +159,7 @@ std::string contact_sheet_png(const Scan& scan, const Mask& mask, const SheetTex
   draw_overviews(sheet);
   draw_panels(sheet, view, crop, layout);
   std::vector<std::uint8_t> png;
-  cv::imencode(".png", sheet.picture, png, {cv::IMWRITE_PNG_COMPRESSION, 9});
+  cv::imencode(".png", sheet.picture, png, {cv::IMWRITE_PNG_COMPRESSION, 3});
   return {png.begin(), png.end()};
 }
 

@@ -73,7 +73,7 @@ cmp labels.nii.gz again.nii.gz
 cmp labels.sheet.png again.sheet.png
 
 # a label that reaches the border is told in the card
-"$bin/palpate-segment" scan.nii.gz outside.nii.gz --threshold-upper 650 --quiet
+"$bin/palpate-segment" scan.nii.gz outside.nii.gz --threshold-upper 650 --islands all --holes keep --quiet
 grep -q 'scan.s border' outside.nii.gz.card.json
 
 refused 2 "seed 1 lies outside the scan" scan.nii.gz bad.nii.gz --seeds 0,0,900
@@ -84,7 +84,7 @@ refused 2 "without a number" scan.nii.gz bad.nii.gz --method threshold
 refused 2 "above the upper" scan.nii.gz bad.nii.gz --threshold-lower 5 --threshold-upper 4
 refused 2 "two opposite corners" scan.nii.gz bad.nii.gz --box 0,0,0
 refused 2 "holds no voxel" scan.nii.gz bad.nii.gz --box 900,900,900 --box 901,901,901
-refused 2 "lies outside the box" scan.nii.gz bad.nii.gz --seeds "$seed" --box 900,900,900 --box -900,-900,-20
+refused 2 "lies outside the box" scan.nii.gz bad.nii.gz --seeds "$seed" --box 900,900,-20 --box -900,-900,-900
 refused 2 "no seed says" scan.nii.gz bad.nii.gz --islands seeded
 refused 2 "did you mean otsu" scan.nii.gz bad.nii.gz --method otso
 refused 4 "intensities (smoothed) run from" scan.nii.gz bad.nii.gz --threshold-lower 30000
