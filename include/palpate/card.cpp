@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include <palpate/catalogue.hpp>
@@ -39,6 +40,7 @@ std::string sha256_file(const fs::path& path) {
   Sha256 hash;
   std::vector<char> block(1 << 20);
   while (file.read(block.data(), block.size()) || file.gcount() > 0) hash.add(block.data(), file.gcount());
+  if (file.bad()) throw Failure(ExitCode::unreadable, "cannot read the file", path.string(), "check the disk");
   return hash.hex();
 }
 
@@ -57,11 +59,33 @@ fs::path from_card(const fs::path& output, const Json& file) {
   return fs::absolute(output).parent_path() / file.at("path").get<std::string>();
 }
 
-bool same_files(const fs::path& output, const Json& files) {
-  return std::all_of(files.begin(), files.end(), [&](const Json& file) {
-    const fs::path path = from_card(output, file);
-    return file.at("sha256").is_null() || (fs::exists(path) && sha256(path) == file.at("sha256").get<std::string>());
-  });
+std::vector<fs::path> paths_of(const fs::path& output, const Json& files) {
+  std::vector<fs::path> paths;
+  for (const auto& file : files) paths.push_back(from_card(output, file));
+  return paths;
+}
+
+bool same_file(const fs::path& path, const Json& file, const std::vector<fs::path>& outputs) {
+  if (!fs::exists(path)) return false;
+  const bool names = file.value("sha256_of", "bytes") == "names";
+  return (names ? sha256_of_names(path, outputs) : sha256(path)) == file.at("sha256").get<std::string>();
+}
+
+/// `output` is the one beside which the card lies.
+bool same_files(const fs::path& output, const Json& card) {
+  const auto outputs = paths_of(output, card.at("outputs"));
+  for (const char* list : {"outputs", "inputs"})
+    for (const auto& file : card.at(list))
+      if (!same_file(from_card(output, file), file, outputs)) return false;
+  return true;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder));
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace
@@ -84,14 +108,24 @@ fs::path card_path(const fs::path& output) {
 
 std::string sha256(const fs::path& path) {
   if (!fs::is_directory(path)) return sha256_file(path);
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(path))
-    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), path));
-  std::sort(files.begin(), files.end());
   Sha256 hash;
-  for (const auto& file : files) {
+  for (const auto& file : files_in(path)) {
     const std::string line = file.generic_string() + " " + sha256_file(path / file) + "\n";
     hash.add(line.data(), line.size());
+  }
+  return hash.hex();
+}
+
+std::string sha256_of_names(const fs::path& folder, const std::vector<fs::path>& except) {
+  std::vector<fs::path> own;
+  for (const auto& path : except)
+    for (const fs::path& written : {path, card_path(path)}) own.push_back(fs::weakly_canonical(fs::absolute(written)));
+  Sha256 hash;
+  for (const auto& file : files_in(folder)) {
+    const bool counts = file.generic_string().find(".partial-") == std::string::npos &&
+                        std::find(own.begin(), own.end(), fs::weakly_canonical(fs::absolute(folder / file))) == own.end();
+    const std::string line = file.generic_string() + "\n";
+    if (counts) hash.add(line.data(), line.size());
   }
   return hash.hex();
 }
@@ -103,11 +137,11 @@ bool card_is_current(const Json& now, const fs::path& output) {
     const Json card = read_json(path);
     for (const char* key : {"tool", "version", "options", "seed"})
       if (card.at(key) != now.at(key)) return false;
-    const Json &declared = now.at("inputs"), &recorded = card.at("inputs"), &outputs = card.at("outputs");
-    if (declared.size() > recorded.size() || outputs.empty()) return false;
+    const Json &declared = now.at("inputs"), &recorded = card.at("inputs");
+    if (declared.size() > recorded.size() || card.at("outputs").empty()) return false;
     for (std::size_t i = 0; i < declared.size(); ++i)
       if (declared[i].at("name") != recorded[i].at("name") || declared[i].at("path") != recorded[i].at("path")) return false;
-    return same_files(output, recorded) && same_files(output, outputs);
+    return same_files(output, card);
   } catch (const Json::exception&) {
     return false;  // not a card of ours
   } catch (const Failure&) {

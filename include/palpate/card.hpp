@@ -29,6 +29,10 @@ std::filesystem::path card_path(const std::filesystem::path& output);
 /// SHA-256 in hex of a file, or of a folder: the hash of its sorted relative names and file hashes.
 std::string sha256(const std::filesystem::path& path);
 
+/// SHA-256 in hex of the sorted relative names of a folder's files; `except` and their cards do not count, nor does what is
+/// still being written.
+std::string sha256_of_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& except);
+
 /// True when the card beside each of `card.outputs` says that the same tool, version and options made these very bytes from
 /// these very inputs. `card` is the one that would be written now, its outputs without hashes.
 bool card_is_current(const Json& card, const std::filesystem::path& first_output);

@@ -19,8 +19,8 @@ namespace palpate {
 /// What run() sees: parsed arguments, and where to put results.
 class Command {
  public:
-  /// Parses; throws Failure(misuse) naming the nearest known option, input or choice.
-  Command(const Usage& usage, const std::vector<std::string>& arguments);
+  /// Parses; throws Failure(misuse) naming the nearest known option or choice (parse_arguments).
+  Command(const Usage& usage, const std::vector<std::string>& words);
 
   const std::filesystem::path& input(const std::string& name) const;
   /// Where to write an output or side output: a temporary name that becomes the real one when run() returns.
@@ -54,10 +54,11 @@ class Command {
   void check(const Check& check);
   /// Free facts of this stage for the card and the report: `notes[key] = value`.
   void note(const std::string& key, Json value);
-  /// A file that was read besides the declared inputs (a case's mesh): hashed in the card.
+  /// A file that is read besides the declared inputs (a case's mesh): hashed in the card. Throws Failure(misuse) when it is one
+  /// of the outputs.
   void add_input(const std::string& name, const std::filesystem::path& path);
 
-  struct State;  // of command.cpp
+  struct State;  // command_state.hpp
   State& state() { return *state_; }
 
  private:

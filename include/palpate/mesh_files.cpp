@@ -3,7 +3,6 @@
 #include <palpate/mesh_files.hpp>
 
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -19,7 +18,10 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 
 #include <palpate/errors.hpp>
 
@@ -59,7 +61,7 @@ RegionNames region_names_of(vtkDataObject& data) {
   for (vtkIdType i = 0; lines && i < lines->GetNumberOfValues(); ++i) {
     const std::string line = lines->GetValue(i);
     const auto equals = line.find('=');
-    if (equals != std::string::npos) names[std::stoi(line)] = line.substr(equals + 1);
+    if (equals != std::string::npos) names[std::atoi(line.c_str())] = line.substr(equals + 1);
   }
   return names;
 }
@@ -80,6 +82,16 @@ std::vector<Vec3> points_of(vtkPointSet& data, const std::filesystem::path& path
     if (!std::isfinite(dot(points[i], points[i]))) unreadable(path, "point " + std::to_string(i) + " is not finite");
   }
   return points;
+}
+
+template <std::size_t N>
+std::array<int, N> corners(const vtkIdType* ids, std::size_t points, vtkIdType cell, const std::filesystem::path& path) {
+  std::array<int, N> corner{};
+  for (std::size_t i = 0; i < N; ++i) {
+    if (ids[i] < 0 || std::size_t(ids[i]) >= points) unreadable(path, "cell " + std::to_string(cell) + " names a point that is not there");
+    corner[i] = static_cast<int>(ids[i]);
+  }
+  return corner;
 }
 
 vtkSmartPointer<vtkIntArray> region_array(const std::vector<int>& first, const std::vector<int>& second, std::size_t cells) {
@@ -117,15 +129,26 @@ Field from_vtk(vtkDataArray& array, std::size_t tuples) {
   return field;
 }
 
+/// VTK reads what there is of a truncated file and says nothing: look for the end.
+void expect_whole(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg(), tail = std::min<std::streamoff>(size, 64);
+  std::string end(std::max<std::streamoff>(tail, 0), ' ');
+  file.seekg(-tail, std::ios::end);
+  file.read(end.data(), tail);
+  if (!file || end.find("</VTKFile>") == std::string::npos) unreadable(path, "truncated: the end of the file is missing", "copy it again");
+}
+
 template <class Reader>
 vtkSmartPointer<Reader> open_reader(const std::filesystem::path& path, const char* format) {
   if (!std::filesystem::is_regular_file(path)) unreadable(path, "no such file");
   auto reader = vtkSmartPointer<Reader>::New();
   vtkObject::GlobalWarningDisplayOff();
   if (!reader->CanReadFile(path.c_str())) unreadable(path, std::string("not a ") + format + " file");
+  expect_whole(path);
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (reader->GetErrorCode() != 0) unreadable(path, "damaged or truncated");
+  if (reader->GetErrorCode() != 0) unreadable(path, "damaged");
   return reader;
 }
 
@@ -153,9 +176,11 @@ Surface read_surface(const std::filesystem::path& path) {
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     data.GetCellPoints(cell, count, ids);
-    if (data.GetCellType(cell) != VTK_TRIANGLE) unreadable(path, "cell " + std::to_string(cell) + " is not a triangle", "triangulate the surface");
-    surface.triangles.push_back({int(ids[0]), int(ids[1]), int(ids[2])});
+    if (data.GetCellType(cell) != VTK_TRIANGLE)
+      unreadable(path, "cell " + std::to_string(cell) + " is not a triangle", "triangulate the surface");
+    surface.triangles.push_back(corners<3>(ids, surface.points.size(), cell, path));
   }
+  if (surface.triangles.empty()) unreadable(path, "no triangles");
   surface.triangle_region = cell_regions(data);
   surface.region_names = region_names_of(data);
   return surface;
@@ -188,15 +213,16 @@ TetMesh read_mesh(const std::filesystem::path& path) {
     const vtkIdType* ids = nullptr;
     data.GetCellPoints(cell, count, ids);
     if (data.GetCellType(cell) == VTK_TETRA) {
-      mesh.tets.push_back({int(ids[0]), int(ids[1]), int(ids[2]), int(ids[3])});
+      mesh.tets.push_back(corners<4>(ids, mesh.points.size(), cell, path));
       mesh.tet_region.push_back(regions[cell]);
     } else if (data.GetCellType(cell) == VTK_TRIANGLE) {
-      mesh.faces.push_back({int(ids[0]), int(ids[1]), int(ids[2])});
+      mesh.faces.push_back(corners<3>(ids, mesh.points.size(), cell, path));
       mesh.face_region.push_back(regions[cell]);
     } else {
       unreadable(path, "cell " + std::to_string(cell) + " is neither a tetrahedron nor a triangle", "palpate-mesh writes what is read here");
     }
   }
+  if (mesh.tets.empty()) unreadable(path, "no tetrahedra");
   mesh.region_names = region_names_of(data);
   return mesh;
 }

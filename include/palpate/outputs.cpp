@@ -22,17 +22,19 @@ const std::string prefix = ".partial-";
 
 fs::path parent_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// Removes `.partial-<pid>-<name>` of processes that are gone.
-void remove_leftovers(const fs::path& target) {
-  for (const auto& entry : fs::directory_iterator(parent_of(target))) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix)) continue;
-    int pid = 0;
-    const auto [end, error] = std::from_chars(name.data() + prefix.size(), name.data() + name.size(), pid);
-    const bool ours = error == std::errc{} && std::string(end) == "-" + target.filename().string();
-    if (ours && pid != getpid() && kill(pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path());
-  }
+fs::path temporary_of(const fs::path& target) {
+  return parent_of(target) / (prefix + std::to_string(getpid()) + "-" + target.filename().string());
 }
+
+/// The process id in `.partial-<pid>-<name>`; 0 for any other name.
+int writer_of(const std::string& file, const std::string& name) {
+  if (!file.starts_with(prefix)) return 0;
+  int pid = 0;
+  const auto [end, error] = std::from_chars(file.data() + prefix.size(), file.data() + file.size(), pid);
+  return error == std::errc{} && std::string(end) == "-" + name ? pid : 0;
+}
+
+bool is_alive(int pid) { return kill(pid, 0) == 0 || errno != ESRCH; }
 
 void flush_to_disk(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY);
@@ -46,6 +48,8 @@ void flush_to_disk(const fs::path& path) {
 
 void refuse_to_overwrite(const fs::path& target, PendingOutput::Kind kind, bool force) {
   if (!fs::exists(target)) return;
+  if (!fs::is_regular_file(target) && !fs::is_directory(target))
+    throw Failure(ExitCode::misuse, "the output is neither a file nor a folder", target.string(), "another name");
   if (!force) throw Failure(ExitCode::misuse, "the output exists", target.string(), "another name, or --force to replace it");
   const bool is_folder = fs::is_directory(target);
   if (is_folder != (kind == PendingOutput::Kind::folder))
@@ -58,13 +62,25 @@ void refuse_to_overwrite(const fs::path& target, PendingOutput::Kind kind, bool 
 
 }  // namespace
 
+void remove_leftovers(const fs::path& target) {
+  for (const auto& entry : fs::directory_iterator(parent_of(target)))
+    for (const fs::path& name : {target.filename(), card_path(target).filename()}) {
+      const int pid = writer_of(entry.path().filename().string(), name.string());
+      if (pid > 0 && !is_alive(pid)) fs::remove_all(entry.path());
+    }
+}
+
 PendingOutput::PendingOutput(fs::path target, Kind kind, bool force) : target_(std::move(target)), kind_(kind) {
   if (!target_.has_filename()) target_ = target_.parent_path();  // "dicom/" is "dicom"
   if (!fs::is_directory(parent_of(target_)))
     throw Failure(ExitCode::misuse, "the output's folder does not exist", parent_of(target_).string(), "mkdir -p it first");
   refuse_to_overwrite(target_, kind, force);
+  if (access(parent_of(target_).c_str(), W_OK | X_OK) != 0)
+    throw Failure(ExitCode::unreadable, std::string("cannot write into the output's folder: ") + std::strerror(errno),
+                  parent_of(target_).string(), "another folder, or its permissions");
   remove_leftovers(target_);
-  temporary_ = parent_of(target_) / (prefix + std::to_string(getpid()) + "-" + target_.filename().string());
+  temporary_ = temporary_of(target_);
+  fs::remove_all(temporary_);  // of a killed process that had the number this one has now
   if (kind == Kind::folder) fs::create_directory(temporary_);
 }
 
@@ -78,16 +94,17 @@ PendingOutput::~PendingOutput() {
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
 }
 
+void PendingOutput::flush() const {
+  if (kind_ == Kind::file) return flush_to_disk(temporary_);
+  for (const auto& entry : fs::recursive_directory_iterator(temporary_))
+    if (entry.is_regular_file()) flush_to_disk(entry.path());
+}
+
 void PendingOutput::commit() {
-  if (kind_ == Kind::folder) {
-    for (const auto& entry : fs::recursive_directory_iterator(temporary_))
-      if (entry.is_regular_file()) flush_to_disk(entry.path());
-    if (fs::exists(target_)) {  // exchange, then the destructor removes the old one under the temporary name
-      if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
-      fs::remove_all(target_);
-    }
-  } else {
-    flush_to_disk(temporary_);
+  if (kind_ == Kind::folder && fs::exists(target_)) {
+    // Exchanged in one step; the destructor removes the old folder under the temporary name.
+    if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
+    fs::remove_all(target_);
   }
   fs::rename(temporary_, target_);
   temporary_.clear();

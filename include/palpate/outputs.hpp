@@ -5,20 +5,28 @@
 
 namespace palpate {
 
+/// Removes what killed writers of `target` and of its card left beside it; work of living processes stays.
+void remove_leftovers(const std::filesystem::path& target);
+
 /// One output on its way. Destroyed without commit(), it leaves nothing behind; leftovers of a killed run are removed by the next.
 class PendingOutput {
  public:
   enum class Kind { file, folder };
-  /// Throws Failure(misuse) when `target` exists and `force` is false, when its parent is missing, or when forcing would replace
-  /// a folder that no card says is ours.
+  /// Throws Failure(misuse) when `target` exists and `force` is false, when its parent is missing, when it is neither file nor
+  /// folder (a device), or when forcing would replace a folder that no card says is ours; Failure(unreadable) when its folder is
+  /// not writable.
   PendingOutput(std::filesystem::path target, Kind kind, bool force);
   ~PendingOutput();
   PendingOutput(PendingOutput&&) noexcept;
   PendingOutput(const PendingOutput&) = delete;
 
+  PendingOutput& operator=(PendingOutput&&) = delete;
+
   const std::filesystem::path& target() const { return target_; }
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Flushes to disk and renames over the target. Throws Failure(unreadable) when the disk is full.
+  /// Every byte to the disk. Throws Failure(unreadable) when it is full.
+  void flush() const;
+  /// Renames over the target; flush() first.
   void commit();
 
  private:

@@ -14,7 +14,7 @@ class Progress {
   /// Ends the line. Called by the destructor too.
   void finish();
   ~Progress() { finish(); }
-  Progress(Progress&&) = default;
+  Progress(const Progress&) = delete;
 
  private:
   std::string label_;

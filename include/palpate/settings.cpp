@@ -43,6 +43,15 @@ Json to_json(const toml::node& node) {
   return {};
 }
 
+/// The node of a sub-table: one for all who open it, so that what one of them asked for counts.
+std::shared_ptr<Settings::Node> child_of(const std::shared_ptr<Settings::Node>& parent, const std::string& key, const toml::table& table) {
+  for (const auto& child : parent->children)
+    if (child->table == &table) return child;
+  parent->children.push_back(
+      std::make_shared<Settings::Node>(Settings::Node{parent->document, &table, parent->file, parent->name + key + ".", {}, {}}));
+  return parent->children.back();
+}
+
 }  // namespace
 
 Settings Settings::read(const std::filesystem::path& path) {
@@ -129,9 +138,7 @@ Settings Settings::table(const std::string& key) const {
   if (!has(key)) misuse(*this, "", "missing table: [" + key + "]");
   const toml::table* inner = find(*node_, key)->as_table();
   if (!inner) misuse(*this, key, "not a table: " + key, "[" + key + "]");
-  auto child = std::make_shared<Node>(Node{node_->document, inner, node_->file, node_->name + key + ".", {}, {}});
-  node_->children.push_back(child);
-  return Settings(child);
+  return Settings(child_of(node_, key, *inner));
 }
 
 std::vector<Settings> Settings::tables(const std::string& key) const {
@@ -141,9 +148,7 @@ std::vector<Settings> Settings::tables(const std::string& key) const {
   if (!array) misuse(*this, key, "not a list of tables: " + key, "[[" + key + "]]");
   for (const auto& item : *array) {
     if (!item.is_table()) misuse(*this, key, "not a list of tables: " + key, "[[" + key + "]]");
-    auto child = std::make_shared<Node>(Node{node_->document, item.as_table(), node_->file, node_->name + key + ".", {}, {}});
-    node_->children.push_back(child);
-    list.push_back(Settings(child));
+    list.push_back(Settings(child_of(node_, key, *item.as_table())));
   }
   return list;
 }

@@ -15,6 +15,7 @@ std::string read_text(const std::filesystem::path& path) {
     throw Failure(ExitCode::unreadable, "cannot read the file", path.string(), "check the name and the permissions");
   std::ostringstream text;
   text << file.rdbuf();
+  if (file.bad()) throw Failure(ExitCode::unreadable, "cannot read the file", path.string(), "check the disk");
   return text.str();
 }
 

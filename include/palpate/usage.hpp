@@ -14,7 +14,7 @@ namespace palpate {
 enum class ArgumentKind {
   file,
   folder,       ///< hashed with everything in it
-  open_folder,  ///< not hashed: the program declares what it read with Command::add_input
+  open_folder,  ///< only its file names are hashed: the program declares what it read with Command::add_input
 };
 
 /// A positional argument: a file or folder read or written.
@@ -71,6 +71,15 @@ struct Usage {
   void file(std::string name, std::string meaning);
 };
 
+/// "real", "integer", … as `--describe` names it.
+std::string option_kind_name(OptionKind kind);
+
+/// The default as text; empty when there is none.
+std::string default_text(const OptionSpec& option);
+
+/// "from 0 to 10", "at least 0"; empty when any number will do.
+std::string range_text(const OptionSpec& option);
+
 /// The program as JSON (`--describe`): inputs, outputs, options with unit, range, default, meaning.
 Json describe(const Usage& usage);
 
@@ -93,5 +102,8 @@ std::string help_text(const Group& group);
 
 /// The options every program has: threads, seed, quiet, verbose, force, skip-current.
 const std::vector<OptionSpec>& common_options();
+
+/// The program's options, then the common ones.
+std::vector<OptionSpec> all_options(const Usage& usage);
 
 }  // namespace palpate

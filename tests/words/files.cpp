@@ -1,8 +1,5 @@
 // What is written is read back: NIfTI, meshes, cards' hashes.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <fstream>
 
 #include <palpate/card.hpp>
@@ -11,17 +8,12 @@
 #include <palpate/nifti.hpp>
 #include <palpate/text_file.hpp>
 
+#include <tests/words/temporary_folder.hpp>
+
 using namespace palpate;
 namespace fs = std::filesystem;
 
-namespace {
-class Files : public testing::Test {
- protected:
-  fs::path folder = fs::temp_directory_path() / ("palpate-files-" + std::to_string(getpid()));
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-};
-}  // namespace
+class Files : public InFolder {};
 
 TEST_F(Files, NiftiKeepsValuesAndObliqueFrame) {
   Scan scan;
@@ -44,6 +36,65 @@ TEST_F(Files, TruncatedNiftiIsRefused) {
   write_scan(folder / "s.nii.gz", scan);
   fs::resize_file(folder / "s.nii.gz", fs::file_size(folder / "s.nii.gz") / 2);
   EXPECT_THROW(read_scan(folder / "s.nii.gz"), Failure);
+}
+
+TEST_F(Files, ShearedNiftiKeepsItsFrame) {
+  Labels labels;
+  labels.grid.size = {2, 2, 2};
+  labels.grid.lps_from_voxel = {{Vec3{0.5, 0, 0}, Vec3{0, 0.5, 0}, Vec3{0, 0.8, 2.5}}, {1, 2, 3}};
+  labels.voxels = {0, 1, 2, 3, 4, 5, 6, 65535};
+  write_labels(folder / "l.nii", labels);
+  const Labels read = read_labels(folder / "l.nii");
+  EXPECT_EQ(read.voxels, labels.voxels);
+  EXPECT_LE(norm(read.grid.lps_from_voxel.columns[2] - labels.grid.lps_from_voxel.columns[2]), 1e-6);
+}
+
+TEST_F(Files, EveryCutOfANiftiIsRefused) {
+  Scan scan;
+  scan.grid.size = {7, 5, 3};
+  scan.voxels.assign(105, 1.5f);
+  for (const char* name : {"s.nii", "s.nii.gz"}) {
+    write_scan(folder / name, scan);
+    const auto size = fs::file_size(folder / name);
+    for (std::uintmax_t kept : {size - 1, size - 9, size / 2, std::uintmax_t{352}, std::uintmax_t{40}, std::uintmax_t{0}}) {
+      if (kept >= size) continue;
+      fs::copy_file(folder / name, folder / (std::string("cut-") + name), fs::copy_options::overwrite_existing);
+      fs::resize_file(folder / (std::string("cut-") + name), kept);
+      EXPECT_THROW(read_scan(folder / (std::string("cut-") + name)), Failure) << name << " cut to " << kept;
+    }
+  }
+}
+
+TEST_F(Files, EveryCutOfAMeshIsRefused) {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.25}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.tet_region = {1};
+  Surface surface{mesh.points, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, {1, 1, 1, 1}, {}};
+  write_mesh(folder / "m.vtu", mesh);
+  write_surface(folder / "s.vtp", surface);
+  for (const char* name : {"m.vtu", "s.vtp"}) {
+    const std::string whole = read_text(folder / name);
+    for (std::size_t kept = 0; kept + 24 < whole.size(); kept += whole.size() / 40) {
+      write_text(folder / (std::string("cut-") + name), whole.substr(0, kept));
+      if (std::string(name) == "m.vtu") EXPECT_THROW(read_mesh(folder / "cut-m.vtu"), Failure) << kept << " of " << whole.size();
+      else EXPECT_THROW(read_surface(folder / "cut-s.vtp"), Failure) << kept << " of " << whole.size();
+    }
+  }
+}
+
+TEST_F(Files, FullDiskIsTold) {  // /dev/full takes nothing
+  for (const char* name : {"s.nii", "s.nii.gz", "m.vtu", "s.vtp", "t.json"}) fs::create_symlink("/dev/full", folder / name);
+  EXPECT_THROW(write_scan(folder / "s.nii", Scan{{{1, 1, 1}, {}}, {0}}), Failure);
+  EXPECT_THROW(write_labels(folder / "s.nii.gz", Labels{{{1, 1, 1}, {}}, {0}}), Failure);
+  EXPECT_THROW(write_mesh(folder / "m.vtu", TetMesh{{{0, 0, 0}}, {}, {}, {}, {}, {}}), Failure);
+  EXPECT_THROW(write_surface(folder / "s.vtp", Surface{{{0, 0, 0}}, {}, {}, {}}), Failure);
+  EXPECT_THROW(write_json(folder / "t.json", {{"a", 1}}), Failure);
+}
+
+TEST_F(Files, TextThatIsNotUtf8DoesNotStopACard) {
+  write_json(folder / "card.json", {{"series", "caf\xe9"}});
+  EXPECT_EQ(read_json(folder / "card.json").at("series"), "caf\uFFFD");
 }
 
 TEST_F(Files, MeshKeepsCellsRegionsAndFields) {
