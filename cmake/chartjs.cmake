@@ -1,4 +1,4 @@
-# Chart.js (MIT), the plots of the page: one script, embedded at build time. Home: pipeline/report.
+# Chart.js (MIT), the plots of the page: one script, embedded at build time.
 # SPDX-License-Identifier: GPL-3.0-or-later
 find_file(CHARTJS chart.min.js PATHS /usr/share/javascript/chart.js /usr/share/javascript REQUIRED DOC "Chart.js; Debian: libjs-chart.js")
 
