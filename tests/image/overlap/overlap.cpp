@@ -1,5 +1,6 @@
 // How well labels match the truth: Dice D = 2|A ∩ B| / (|A| + |B|), volume ratio, mean distance between borders. For the shell
-// tests. SPDX-License-Identifier: GPL-3.0-or-later
+// tests.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstdio>
 #include <exception>
