@@ -1,5 +1,7 @@
 # Chart.js (MIT), the plots of the page: one script, embedded at build time.
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: none
+# Homes: pipeline/report
 find_file(CHARTJS chart.min.js PATHS /usr/share/javascript/chart.js /usr/share/javascript REQUIRED DOC "Chart.js; Debian: libjs-chart.js")
 
 # palpate_embed(<target> <name> <file>): the text of a file as `extern const std::string_view palpate::embedded::<name>`.
