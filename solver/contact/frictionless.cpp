@@ -1,0 +1,116 @@
+// Frictionless contact at six points a face (Dunavant 1985, degree 4), augmented Lagrangian.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/contact/frictionless.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::contact {
+namespace {
+
+using Eigen::Vector3d;
+
+struct QuadraturePoint {
+  double N[3];
+  double weight;  ///< of the area
+};
+
+/// Dunavant 1985, Int. J. Numer. Meth. Eng. 21:1129, table II, p = 4.
+constexpr double a1 = 0.445948490915965, w1 = 0.223381589678011;
+constexpr double a2 = 0.091576213509771, w2 = 0.109951743655322;
+constexpr std::array<QuadraturePoint, points_per_face> quadrature = {{{{1 - 2 * a1, a1, a1}, w1},
+                                                                      {{a1, 1 - 2 * a1, a1}, w1},
+                                                                      {{a1, a1, 1 - 2 * a1}, w1},
+                                                                      {{1 - 2 * a2, a2, a2}, w2},
+                                                                      {{a2, 1 - 2 * a2, a2}, w2},
+                                                                      {{a2, a2, 1 - 2 * a2}, w2}}};
+
+double area(const std::array<Vector3d, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
+
+/// Columns: the tool's frame in the patient's; its z looks back along the axis of motion.
+Eigen::Matrix3d tool_frame(const Vector3d& axis) {
+  const Vector3d z = -axis;
+  const Vector3d helper = std::abs(z.x()) < 0.6 ? Vector3d::UnitX() : Vector3d::UnitY();
+  Eigen::Matrix3d frame;
+  frame.col(0) = helper.cross(z).normalized();
+  frame.col(1) = z.cross(frame.col(0));
+  frame.col(2) = z;
+  return frame;
+}
+
+/// A face farther away than its own reach cannot touch: the distance changes by at most 1 mm per mm.
+bool out_of_reach(const Tool& tool, double travel, const Face& face) {
+  const Vector3d centre = (face.now[0] + face.now[1] + face.now[2]) / 3;
+  double reach = 0;
+  for (const auto& corner : face.now) reach = std::max(reach, (corner - centre).norm());
+  const bool relaxed = std::all_of(face.multipliers, face.multipliers + points_per_face, [](double l) { return l == 0; });
+  return relaxed && tool.distance(centre, travel).g > reach;
+}
+
+}  // namespace
+
+tools::Distance Tool::distance(const Vector3d& x, double travel) const {
+  const Eigen::Matrix3d frame = tool_frame(axis);
+  tools::Distance d = shape.distance(frame.transpose() * (x - first_contact - travel * axis), parameters);
+  d.n = frame * d.n;
+  d.hessian = frame * d.hessian * frame.transpose();
+  return d;
+}
+
+double face_size(const std::array<Vector3d, 3>& corners) { return std::sqrt(area(corners) * 4 / std::sqrt(3.0)); }
+
+FaceContact face_contact(const Tool& tool, double travel, const Face& face, double penalty_modulus) {
+  FaceContact result;
+  if (out_of_reach(tool, travel, face)) return result;
+  const double rest_area = area(face.rest), size = face_size(face.rest), penalty = penalty_modulus / size;
+  const double now_area = area(face.now);
+  for (int q = 0; q < points_per_face; ++q) {
+    const auto& [N, weight] = quadrature[q];
+    const Vector3d x = N[0] * face.now[0] + N[1] * face.now[1] + N[2] * face.now[2];
+    const tools::Distance d = tool.distance(x, travel);
+    const double t = face.multipliers[q] - penalty * d.g;
+    result.worst_gap = std::max(result.worst_gap, -d.g / size);
+    if (!(t > 0)) continue;
+    result.touched = true;
+    result.pressure[q] = t;
+    result.worst_gap = std::max(result.worst_gap, std::abs(d.g) / size);
+    const double w = weight * rest_area;
+    result.force += w * t * d.n;
+    result.area += weight * now_area;
+    const Eigen::Matrix3d k = w * (penalty * d.n * d.n.transpose() - t * d.hessian);
+    for (int a = 0; a < 3; ++a) {
+      result.residual.segment<3>(3 * a) -= w * t * N[a] * d.n;
+      for (int b = 0; b < 3; ++b) result.tangent.block<3, 3>(3 * a, 3 * b) += N[a] * N[b] * k;
+    }
+  }
+  return result;
+}
+
+bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vector3d>& points) {
+  double back = 0, front = 0;  // how far the points reach along the axis, seen from the aim
+  for (const auto& x : points) {
+    back = std::max(back, (aim - x).dot(tool.axis));
+    front = std::max(front, (x - aim).dot(tool.axis));
+  }
+  const double touching = 1e-9 * (back + front);
+  tool.first_contact = aim - (back + 1e-3 * (back + front)) * tool.axis;
+  double travel = 0;
+  while (travel <= 2 * (back + front)) {  // the distance is a safe step (sphere tracing, Hart 1996)
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& x : points) nearest = std::min(nearest, tool.distance(x, travel).g);
+    if (nearest <= touching) {
+      tool.first_contact += travel * tool.axis;
+      return true;
+    }
+    travel += std::max(nearest, touching);
+  }
+  return false;
+}
+
+CatalogueEntry frictionless_entry() {
+  return {"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, augmented Lagrangian at six points a face",
+          "Simo and Laursen 1992, Computers & Structures 42:97", {}};
+}
+
+}  // namespace palpate::contact

@@ -1,0 +1,67 @@
+// The P1+/P1 mini-element: linear displacement and pressure on a tetrahedron, plus an interior bubble for the displacement,
+// linear on each of the four sub-tetrahedra that share the barycentre; the bubble is condensed inside the element.
+// (Arnold, Brezzi, Fortin 1984, A stable finite element for the Stokes equations, Calcolo 21:337.)
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+#include <vector>
+
+#include <palpate/catalogue.hpp>
+#include <solver/materials/law.hpp>
+
+namespace palpate::elements {
+
+using Vec16 = Eigen::Matrix<double, 16, 1>;
+using Mat16 = Eigen::Matrix<double, 16, 16>;
+
+/// Rest shape: gradients of the four linear shape functions (3 × 4, 1/mm) and volume (mm³).
+struct Tetrahedron {
+  Eigen::Matrix<double, 3, 4> gradients;
+  double volume = 0;
+};
+
+/// Throws std::domain_error unless the volume is positive. `X`: corners in columns, mm.
+Tetrahedron tetrahedron(const Eigen::Matrix<double, 3, 4>& X);
+
+/// A material at work: a law and its numbers.
+struct Material {
+  materials::Law law;
+  std::vector<double> parameters;
+  double bulk_modulus = 0;  ///< κ in MPa, may be infinite
+
+  materials::Response respond(const materials::Mat3& F) const { return law.respond(F, parameters); }
+  double shear_modulus() const { return law.shear_modulus(parameters); }
+};
+
+/// Unknowns node by node: (u_x, u_y, u_z, p) × 4; bubble displacement in mm.
+struct ElementState {
+  Vec16 nodal;
+  Eigen::Vector3d bubble;
+};
+
+enum class ElementFault { none, inverted, bubble_not_positive, bubble_not_converged };
+
+struct ElementSystem {
+  Vec16 residual;                                  ///< internal minus body force; N and mm³
+  Mat16 tangent;                                   ///< condensed, symmetric
+  double internal_force = 0;                       ///< size of the terms that cancel in the residual, N
+  ElementFault fault = ElementFault::none;
+};
+
+/// Density of body force at the four sub-tetrahedra's centroids, columns, N/mm³.
+using BodyForce = Eigen::Matrix<double, 3, 4>;
+
+/// Solves the bubble in place (state.bubble), then condenses. With a fault, the system is not valid.
+ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force);
+
+/// Mean deformation gradient, Cauchy stress's von Mises value (MPa) and J of an element whose bubble is solved.
+struct ElementResult {
+  double von_mises = 0, J = 0;
+};
+ElementResult mini_element_result(const Tetrahedron& rest, const Material& material, const ElementState& state);
+
+/// Part of `palpate list`.
+CatalogueEntry mini_tetrahedron_entry();
+
+}  // namespace palpate::elements

@@ -1,0 +1,60 @@
+// Equilibrium at a load by Newton's method with the consistent tangent, a line search, and augmentation of the contact pressures.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <solver/implicit/assembly.hpp>
+#include <solver/implicit/sparse_direct.hpp>
+
+namespace palpate::implicit {
+
+/// Why no equilibrium was found.
+struct Trouble {
+  std::string cause;         ///< in words, with what to try
+  Eigen::Vector3d place_mm;  ///< in the organ's rest shape
+};
+
+struct NewtonLimits {
+  int iterations = 25;        ///< per augmentation
+  int augmentations = 20;
+  double tolerance = 1e-9;    ///< of the residual: force over internal forces, volume over nodal volumes
+  double penetration = 0.01;  ///< of the local element size
+};
+
+struct Found {
+  int iterations = 0;
+  std::vector<double> residuals;  ///< relative, one per assembly
+  Equations equations;            ///< at the solution
+};
+
+class Equilibrium {
+ public:
+  Equilibrium(const Model& model, int threads, NewtonLimits limits = {});
+
+  /// Changes `state` to the equilibrium at `load`, or leaves it untouched, returns nothing and sets trouble().
+  std::optional<Found> find(State& state, double load);
+  const Trouble& trouble() const { return trouble_; }
+  const Assembly& assembly() const { return assembly_; }
+
+ private:
+  struct Trial;
+  bool newton(Trial& trial);
+  bool line_search(Trial& trial, const Eigen::VectorXd& step);
+  bool solve_step(const Trial& trial, Eigen::VectorXd& step);
+  double relative_residual(const Trial& trial) const;
+  void explain_residual(const Trial& trial);
+  void explain_fault(const Equations& equations);
+
+  const Model& model_;
+  NewtonLimits limits_;
+  Assembly assembly_;
+  BlockMatrix tangent_;
+  SparseDirect solver_;
+  std::vector<char> fixed_;
+  double volume_scale_ = 0, force_floor_ = 0;
+  Trouble trouble_;
+};
+
+}  // namespace palpate::implicit

@@ -1,0 +1,52 @@
+// What is solved: an organ of tetrahedra, what holds it, what presses it. And the state of the solution.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <solver/contact/frictionless.hpp>
+#include <solver/elements/mini_tetrahedron.hpp>
+
+namespace palpate::implicit {
+
+/// u_component(node) = load · value (mm), load from 0 to 1.
+struct Prescribed {
+  int node = 0;
+  int component = 0;
+  double value = 0;
+};
+
+struct Model {
+  std::vector<Eigen::Vector3d> points;        ///< rest positions, mm
+  std::vector<std::array<int, 4>> tets;       ///< positive volume
+  std::vector<elements::Material> materials;
+  std::vector<int> tet_material;              ///< one per tet: index into materials
+  std::vector<std::array<int, 3>> faces;      ///< boundary, outward: where contact can happen
+  std::vector<Prescribed> prescribed;
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> body_force;  ///< N/mm³ at a rest position, scaled by load; may be empty
+  std::optional<contact::Tool> tool;          ///< its travel is load · depth
+};
+
+/// Unknowns node by node (u_x, u_y, u_z, p), bubbles tet by tet, contact multipliers point by point.
+struct State {
+  Eigen::VectorXd nodal;
+  std::vector<Eigen::Vector3d> bubbles;
+  std::vector<double> multipliers;  ///< MPa
+  double load = 0;
+
+  Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
+  double pressure(int node) const { return nodal(4 * node + 3); }
+};
+
+State rest_state(const Model& model);
+
+/// Local unknowns of a tetrahedron.
+elements::ElementState element_state(const Model& model, const State& state, int tet);
+
+/// Centroid of a tetrahedron at rest, mm.
+Eigen::Vector3d centroid(const Model& model, int tet);
+
+}  // namespace palpate::implicit

@@ -1,0 +1,29 @@
+// Sparse symmetric indefinite factorisation L D Lᵀ by MUMPS, with its inertia.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Dense>
+#include <memory>
+#include <vector>
+
+namespace palpate::implicit {
+
+class SparseDirect {
+ public:
+  /// Analyses the pattern: lower triangle, one-based. The ordering is METIS: MUMPS' own choice differs between runs.
+  SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, int threads);
+  ~SparseDirect();
+  SparseDirect(SparseDirect&&) noexcept;
+
+  /// Numeric factorisation. False when the matrix is singular to working precision. Throws std::bad_alloc without memory.
+  bool factor(const std::vector<double>& values);
+  /// Negative eigenvalues of the last factored matrix (Sylvester).
+  int negative_pivots() const;
+  /// Solves in place.
+  void solve(Eigen::VectorXd& right_hand_side);
+
+ private:
+  struct Mumps;
+  std::unique_ptr<Mumps> mumps_;
+};
+
+}  // namespace palpate::implicit

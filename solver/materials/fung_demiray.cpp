@@ -1,0 +1,24 @@
+// W = μ/(2 b) (exp(b (Ī1 − 3)) − 1).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/materials/isochoric.hpp>
+
+namespace palpate::materials {
+namespace {
+
+Response respond(const Mat3& F, std::span<const double> p) {
+  const auto inv = isochoric_invariants(F);
+  const double mu = p[0], b = p[1], Q = b * (inv.I1.value - 3);
+  return from_invariants(inv, {.W = mu / (2 * b) * std::expm1(Q), .W1 = mu / 2 * std::exp(Q), .W11 = mu * b / 2 * std::exp(Q)});
+}
+
+}  // namespace
+
+Law fung_demiray() {
+  return {{"material", "fung_demiray", "incompressible soft tissue that stiffens exponentially; the kidney paper's best law",
+           "Demiray 1972, A note on the elasticity of soft biological tissues, J. Biomechanics 5:309, eq. 8",
+           {{"mu", "MPa", {1e-9, 1e6}, 0.0067, "initial shear modulus"},
+            {"b", "1", {1e-6, 1e3}, 1.0, "rate of stiffening"}}},
+          Kinematics::finite, respond, [](std::span<const double> p) { return p[0]; }, incompressible};
+}
+
+}  // namespace palpate::materials

@@ -1,0 +1,23 @@
+// W = C10 (Ī1 − 3) + C01 (Ī2 − 3).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/materials/isochoric.hpp>
+
+namespace palpate::materials {
+namespace {
+
+Response respond(const Mat3& F, std::span<const double> p) {
+  const auto inv = isochoric_invariants(F);
+  return from_invariants(inv, {.W = p[0] * (inv.I1.value - 3) + p[1] * (inv.I2.value - 3), .W1 = p[0], .W2 = p[1]});
+}
+
+}  // namespace
+
+Law mooney_rivlin() {
+  return {{"material", "mooney_rivlin", "incompressible solid, linear in both invariants",
+           "Mooney 1940, A theory of large elastic deformation; Rivlin 1948, Phil. Trans. R. Soc. A 241:379",
+           {{"C10", "MPa", {1e-9, 1e6}, 0.083, "half the part of the shear modulus carried by I1"},
+            {"C01", "MPa", {0, 1e6}, 0.0565, "half the part of the shear modulus carried by I2"}}},
+          Kinematics::finite, respond, [](std::span<const double> p) { return 2 * (p[0] + p[1]); }, incompressible};
+}
+
+}  // namespace palpate::materials

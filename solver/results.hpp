@@ -1,0 +1,39 @@
+// The result folder of a solve: history.csv, frames.pvd with frames/*.vtu, summary.json.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <palpate/json.hpp>
+#include <solver/case.hpp>
+
+namespace palpate {
+
+/// Writes step by step; finish() writes what needs all of them. Throws Failure(unreadable) when the disk is full.
+class ResultFolder {
+ public:
+  ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly);
+
+  /// A row of the history; a frame too when it is time for one, or when `last`.
+  void add(const implicit::Step& step, bool last);
+  /// Writes history, frames' index and summary; returns the summary.
+  Json finish(double load_reached);
+
+  double worst_force_imbalance() const { return worst_imbalance_; }
+  double worst_penetration() const { return worst_penetration_; }
+  double smallest_J() const { return smallest_J_; }
+
+ private:
+  void write_frame(const implicit::Step& step);
+
+  std::filesystem::path folder_;
+  const Case& case_;
+  const implicit::Assembly& assembly_;
+  std::string history_, frames_;
+  int frame_count_ = 0, iterations_ = 0, cuts_ = 0, steps_ = 0;
+  double peak_force_ = 0, contact_area_ = 0, force_ = 0;
+  double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1;
+};
+
+}  // namespace palpate
