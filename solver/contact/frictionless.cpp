@@ -78,7 +78,9 @@ FaceContact face_contact(const Tool& tool, double travel, const Face& face, doub
     const double w = weight * rest_area;
     result.force += w * t * d.n;
     result.area += weight * now_area;
-    const Eigen::Matrix3d k = w * (penalty * d.n * d.n.transpose() - t * d.hessian);
+    // Where a trial state is deeper in than any solution may be, its pressure must not bend the surface: the curvature term stops there.
+    const double curving = std::min(t, face.multipliers[q] + 2 * deepest_gap * penalty * size);
+    const Eigen::Matrix3d k = w * (penalty * d.n * d.n.transpose() - curving * d.hessian);
     for (int a = 0; a < 3; ++a) {
       result.residual.segment<3>(3 * a) -= w * t * N[a] * d.n;
       for (int b = 0; b < 3; ++b) result.tangent.block<3, 3>(3 * a, 3 * b) += N[a] * N[b] * k;

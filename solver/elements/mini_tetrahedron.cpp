@@ -140,7 +140,8 @@ ElementFault solve_bubble(const Tetrahedron& rest, const Material& material, Ele
   }
   for (int i = 0; i < most_iterations; ++i) {
     if (sums.inverted) return ElementFault::inverted;
-    if (sums.rb.norm() <= 1e-11 * gradient_size * (sums.stress_size + 1e-6 * material.shear_modulus())) return ElementFault::none;
+    // Relative to the stress, but not below what rounding F near I leaves of it.
+    if (sums.rb.norm() <= gradient_size * (1e-11 * sums.stress_size + 1e-13 * material.shear_modulus())) return ElementFault::none;
     const Eigen::LLT<Eigen::Matrix3d> factor(sums.bb);
     if (factor.info() != Eigen::Success) return ElementFault::bubble_not_positive;
     const Eigen::Vector3d step = -factor.solve(sums.rb), start = state.bubble;

@@ -9,7 +9,7 @@
 namespace palpate::implicit {
 namespace {
 
-/// Penalty over shear modulus: deep enough indentations press with about 10 μ; 1 % of an element's size at ε = 1000 μ/size.
+/// Penalty over shear modulus: a pressure of 10 μ sinks 1 % of an element in; deeper is augmented.
 constexpr double penalty_over_shear_modulus = 1000;
 
 /// f(i) for i in [begin, end), shared among threads.
@@ -103,6 +103,8 @@ void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix
     for (int a = 0; a < 3; ++a) {
       equations.residual.segment<3>(4 * nodes[a]) += contact.residual.segment<3>(3 * a);
       for (int b = 0; b < 3; ++b) {
+        // Only the place of face and tool against each other counts: ∂r/∂travel = −K_contact · (a rigid motion along the axis).
+        equations.by_travel.segment<3>(4 * nodes[a]) -= contact.tangent.block<3, 3>(3 * a, 3 * b) * model_.tool->axis;
         if (nodes[b] > nodes[a]) continue;
         Block block = Block::Zero();
         block.topLeftCorner<3, 3>() = contact.tangent.block<3, 3>(3 * a, 3 * b);
@@ -115,6 +117,7 @@ void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix
 Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
   Equations equations;
   equations.residual = Eigen::VectorXd::Zero(state.nodal.size());
+  equations.by_travel = Eigen::VectorXd::Zero(state.nodal.size());
   tangent.set_zero();
   add_elements(state, equations, tangent);
   if (equations.fault == elements::ElementFault::none && model_.tool) add_contact(state, equations, tangent);

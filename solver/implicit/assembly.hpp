@@ -15,6 +15,7 @@ struct ContactSums {
 
 struct Equations {
   Eigen::VectorXd residual;   ///< node by node: force (N) × 3, volume (mm³)
+  Eigen::VectorXd by_travel;  ///< ∂residual/∂(travel of the tool), N/mm
   double internal_force = 0;  ///< root of the sum of squares of the terms that cancel, N
   ContactSums contact;
   elements::ElementFault fault = elements::ElementFault::none;

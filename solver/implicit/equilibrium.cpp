@@ -45,6 +45,7 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
       solver_(solver_for(tangent_, threads)),
       fixed_(4 * model.points.size(), 0) {
   for (const auto& p : model.prescribed) fixed_[4 * p.node + p.component] = 1;
+  for (std::size_t i = 3; i < fixed_.size(); i += 4) free_pressures_ += !fixed_[i];
   std::vector<double> nodal_volume(model.points.size(), 0.0);
   double volume = 0, shear_modulus = 0;
   for (const auto& tet : model.tets) {
@@ -118,6 +119,24 @@ bool Equilibrium::line_search(Trial& trial, const Eigen::VectorXd& step) {
   return false;
 }
 
+/// Euler's predictor: the organ gives way to the tool along the tangent at the old equilibrium. Without it the tool's new place
+/// presses on points that it would have carried along.
+bool Equilibrium::follow_tool(Trial& trial, double load) {
+  State moved = trial.state;
+  Equations equations = assembly_(moved, tangent_);
+  if (equations.fault != elements::ElementFault::none || equations.by_travel.isZero(0)) return false;
+  trial.equations.residual = (load - trial.state.load) * model_.tool->depth * equations.by_travel;
+  Eigen::VectorXd step;
+  if (!solve_step(trial, step)) return false;
+  moved.nodal += step;
+  moved.load = load;
+  trial.equations = assembly_(moved, tangent_);
+  if (trial.equations.fault != elements::ElementFault::none) return false;
+  trial.state = std::move(moved);
+  trial.prescribed.setZero();
+  return true;
+}
+
 bool Equilibrium::newton(Trial& trial) {
   for (int i = 0; i < limits_.iterations; ++i) {
     if (trial.residual <= limits_.tolerance) return true;
@@ -134,12 +153,13 @@ bool Equilibrium::newton(Trial& trial) {
 std::optional<Found> Equilibrium::find(State& state, double load) {
   Trial trial;
   trial.state = state;
-  trial.state.load = load;
   trial.prescribed = Eigen::VectorXd::Zero(state.nodal.size());
   for (const auto& p : model_.prescribed)
     trial.prescribed(4 * p.node + p.component) = load * p.value - state.nodal(4 * p.node + p.component);
+  const bool followed = model_.tool && follow_tool(trial, load);
+  trial.state.load = load;
   for (int augmentation = 0; augmentation <= limits_.augmentations; ++augmentation) {
-    trial.equations = assembly_(trial.state, tangent_);
+    if (augmentation > 0 || !followed) trial.equations = assembly_(trial.state, tangent_);
     if (trial.equations.fault != elements::ElementFault::none) {
       explain_fault(trial.equations);
       return {};
@@ -148,7 +168,7 @@ std::optional<Found> Equilibrium::find(State& state, double load) {
     trial.history.push_back(trial.residual);
     if (!newton(trial)) return {};
     if (trial.equations.contact.worst_gap <= limits_.penetration) {
-      if (trial.iterations > 0 && solver_.negative_pivots() != static_cast<int>(model_.points.size())) {
+      if (trial.iterations > 0 && solver_.negative_pivots() != free_pressures_) {
         trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
         return {};
       }

@@ -20,7 +20,7 @@ struct NewtonLimits {
   int iterations = 25;        ///< per augmentation
   int augmentations = 20;
   double tolerance = 1e-9;    ///< of the residual: force over internal forces, volume over nodal volumes
-  double penetration = 0.01;  ///< of the local element size
+  double penetration = contact::deepest_gap;  ///< of the local element size
 };
 
 struct Found {
@@ -40,6 +40,7 @@ class Equilibrium {
 
  private:
   struct Trial;
+  bool follow_tool(Trial& trial, double load);
   bool newton(Trial& trial);
   bool line_search(Trial& trial, const Eigen::VectorXd& step);
   bool solve_step(const Trial& trial, Eigen::VectorXd& step);
@@ -53,6 +54,7 @@ class Equilibrium {
   BlockMatrix tangent_;
   SparseDirect solver_;
   std::vector<char> fixed_;
+  int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
   double volume_scale_ = 0, force_floor_ = 0;
   Trouble trouble_;
 };

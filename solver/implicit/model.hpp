@@ -12,7 +12,7 @@
 
 namespace palpate::implicit {
 
-/// u_component(node) = load · value (mm), load from 0 to 1.
+/// u_component(node) = load · value (mm), load from 0 to 1; component 3 is the pressure (MPa).
 struct Prescribed {
   int node = 0;
   int component = 0;

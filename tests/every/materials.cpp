@@ -78,4 +78,4 @@ TEST_P(EveryMaterial, EntryIsComplete) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryMaterial, testing::ValuesIn(all()), [](const auto& info) { return info.param.entry.name; });
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryMaterial, testing::ValuesIn(all()), [](const auto& instance) { return instance.param.entry.name; });

@@ -56,4 +56,4 @@ TEST_P(EveryTool, EntryIsComplete) {
   EXPECT_FALSE(entry.sentence.empty() || entry.reference.empty() || entry.parameters.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryTool, testing::ValuesIn(all()), [](const auto& info) { return info.param.entry.name; });
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryTool, testing::ValuesIn(all()), [](const auto& instance) { return instance.param.entry.name; });
