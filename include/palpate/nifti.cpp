@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -36,16 +37,36 @@ void expect_every_byte(const nifti_image& image, const std::filesystem::path& pa
     unreadable(path, "truncated or damaged: " + std::to_string(bytes) + " good bytes of " + std::to_string(expected), "copy it again");
 }
 
-Image read_image(const std::filesystem::path& path) {
+Image read_header(const std::filesystem::path& path) {
   nifti_set_debug_level(0);
   Image image(nifti_image_read(path.c_str(), 0), nifti_image_free);
+  if (image && image->nifti_type == NIFTI_FTYPE_NIFTI1_1) {  // one file: not the "scan.nii" beside "scan.nii.gz"
+    std::free(image->iname);
+    image->iname = strdup(path.c_str());
+  }
+  return image;
+}
+
+/// The voxels from `iname`; false when they are not all there. (The library's own nifti_image_load would search for another name.)
+bool load_voxels(nifti_image& image) {
+  znzFile file = znzopen(image.iname, "rb", 1);
+  if (znz_isnull(file)) return false;
+  const std::size_t bytes = image.nvox * image.nbyper;
+  image.data = std::calloc(1, bytes);
+  const bool complete = image.data && znzseek(file, image.iname_offset, SEEK_SET) >= 0 && nifti_read_buffer(file, image.data, bytes, &image) == bytes;
+  znzclose(file);
+  return complete;
+}
+
+Image read_image(const std::filesystem::path& path) {
+  Image image = read_header(path);
   if (!image) unreadable(path, "not a NIfTI image", "dcm2niix or palpate-import writes one");
   if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nvox != std::size_t(image->nx) * image->ny * image->nz)
     unreadable(path, "not a three-dimensional image", "extract one volume");
   if (image->sform_code <= 0 && image->qform_code <= 0)
     unreadable(path, "no orientation: neither sform nor qform is set", "write it with the orientation of its scan");
   expect_every_byte(*image, path);
-  if (nifti_image_load(image.get()) != 0) unreadable(path, "cannot read the voxels", "copy it again");
+  if (!load_voxels(*image)) unreadable(path, "cannot read the voxels", "copy it again");
   return image;
 }
 
@@ -125,8 +146,8 @@ void write_volume(const std::filesystem::path& path, const Volume<Voxel>& volume
   nifti_set_filenames(image.get(), path.c_str(), 0, 1);
   nifti_image_write(image.get());
   // The library does not say whether it could write: read back.
-  const Image written(nifti_image_read(path.c_str(), 1), nifti_image_free);
-  if (!written || std::memcmp(written->data, volume.voxels.data(), volume.voxels.size() * sizeof(Voxel)) != 0)
+  const Image written = read_header(path);
+  if (!written || !load_voxels(*written) || std::memcmp(written->data, volume.voxels.data(), volume.voxels.size() * sizeof(Voxel)) != 0)
     throw Failure(ExitCode::unreadable, "cannot write the image", path.string(), "check free space (df -h) and permissions");
 }
 

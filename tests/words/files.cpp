@@ -28,6 +28,14 @@ TEST_F(Files, NiftiKeepsValuesAndObliqueFrame) {
   EXPECT_LE(norm(read.grid.lps_from_voxel.origin - scan.grid.lps_from_voxel.origin), 1e-5);
 }
 
+TEST_F(Files, NiftiReadsTheFileItWasGiven) {  // not its uncompressed neighbour
+  Scan scan{{{2, 2, 2}, {}}, {1, 2, 3, 4, 5, 6, 7, 8}}, other{scan.grid, {8, 7, 6, 5, 4, 3, 2, 1}};
+  write_scan(folder / "scan.nii", other);
+  write_scan(folder / "scan.nii.gz", scan);
+  EXPECT_EQ(read_scan(folder / "scan.nii.gz").voxels, scan.voxels);
+  EXPECT_EQ(read_scan(folder / "scan.nii").voxels, other.voxels);
+}
+
 TEST_F(Files, TruncatedNiftiIsRefused) {
   Scan scan;
   scan.grid.size = {20, 20, 20};
