@@ -120,6 +120,27 @@ double enclosed_volume(const Surface& surface, const std::vector<int>& triangles
   return six_volumes / 6;
 }
 
+double enclosed_volume(const Surface& surface) {
+  std::vector<int> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return enclosed_volume(surface, all);
+}
+
+Surface without_unused_points(const Surface& surface) {
+  std::vector<int> index(surface.points.size(), -1);
+  for (const auto& t : surface.triangles)
+    for (int i : t) index[i] = 0;
+  Surface result = surface;
+  result.points.clear();
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    if (index[i] < 0) continue;
+    index[i] = static_cast<int>(result.points.size());
+    result.points.push_back(surface.points[i]);
+  }
+  for (auto& t : result.triangles) t = {index[t[0]], index[t[1]], index[t[2]]};
+  return result;
+}
+
 std::vector<Shell> closed_shells(const Surface& surface) {
   if (surface.triangles.empty()) throw Failure(ExitCode::check_failed, "the surface has no triangles", "", "see the stage that made it");
   const auto roots = roots_of_shells(surface);

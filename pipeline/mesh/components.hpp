@@ -32,8 +32,12 @@ std::vector<Body> bodies_of(const Surface& surface, const std::vector<Shell>& sh
 /// Volume of all bodies, mm³: outer shells less their holes.
 double total_volume(const std::vector<Shell>& shells, const std::vector<Body>& bodies);
 
-/// ⅙ Σ a·(b×c) over the listed triangles, mm³ (divergence theorem).
+/// ⅙ Σ a·(b×c) over the listed triangles, or all, mm³ (divergence theorem).
 double enclosed_volume(const Surface& surface, const std::vector<int>& triangles);
+double enclosed_volume(const Surface& surface);
+
+/// The surface without points that no triangle uses.
+Surface without_unused_points(const Surface& surface);
 
 /// "(12.5, -3, 40) mm"
 std::string place_text(const Vec3& x);

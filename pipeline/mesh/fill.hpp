@@ -12,7 +12,7 @@ namespace palpate {
 
 struct Filling {
   TetMesh mesh;                       ///< tets with their body's region; no faces yet; points of the surface first, in its order
-  std::vector<std::string> messages;  ///< gmsh's warnings
+  std::vector<std::string> messages;  ///< gmsh's warnings, before improvement
 };
 
 /// Throws Failure(check_failed) with gmsh's own words and, where it names one, the place: triangles that intersect, a boundary that

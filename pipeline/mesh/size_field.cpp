@@ -12,8 +12,8 @@
 namespace palpate {
 namespace {
 
-/// Mean volume of a tetrahedron in a Delaunay mesh of edge length h, seen against the regular one's h³/(6√2).
-double tet_volume(double h) { return h * h * h / (6 * std::numbers::sqrt2); }
+/// Mean volume of a tetrahedron of gmsh's meshes, against the regular one's h³/(6√2): 1.7 to 1.9 measured on balls and beans.
+double tet_volume(double h) { return 1.8 * h * h * h / (6 * std::numbers::sqrt2); }
 
 std::string millimetres(double length) {
   std::ostringstream out;

@@ -31,7 +31,7 @@ struct SizeField {
   }
 };
 
-/// How many tetrahedra a volume [mm³] will take: ∫ dV / (h³ / 6√2), with half a ball around each focus, which lies on the
+/// How many tetrahedra a volume [mm³] will take: ∫ dV / (1.8 h³ / 6√2), with half a ball around each focus, which lies on the
 /// surface.
 double estimate_tets(const SizeField& field, double volume_mm3);
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/command.hpp>
 #include <palpate/mesh_files.hpp>
+#include <pipeline/mesh/adapt_surface.hpp>
 #include <pipeline/mesh/boundary.hpp>
 #include <pipeline/mesh/components.hpp>
 #include <pipeline/mesh/fill.hpp>
+#include <pipeline/mesh/improve.hpp>
 #include <pipeline/mesh/quality.hpp>
 #include <pipeline/mesh/size_field.hpp>
 
@@ -14,12 +16,14 @@ void usage(Usage& u) {
   u.name = "mesh";
   u.sentence = "Fills closed surfaces with tetrahedra, fine near the tool and coarse elsewhere.";
   u.details =
-      "The tetrahedra of each closed surface carry its region. A surface inside another that faces inward is a cavity; one of another region "
+      "Without --edge and --focus the surface's triangles stay as they are. Otherwise they are split, collapsed, flipped and smoothed along the "
+      "surface to the wanted edge lengths first (Botsch & Kobbelt 2004). gmsh fills the surface (Delaunay), then the worst tetrahedra are "
+      "improved by smoothing, edge removal, swaps, contraction and splits (Freitag & Ollivier-Gooch 1997). The tetrahedra of each closed surface carry its region. A surface inside another that faces inward is a cavity; one of another region "
       "that faces outward is a body of its own inside the other. The boundary's triangles are stored as 2-D cells with regions "
       "\"<name>_surface\". Every check is made on the written file.";
   u.input("surface", "surface.vtp", "closed surfaces, triangles facing outward, region per triangle (palpate-surface)");
   u.output("mesh", "mesh.vtu", "tetrahedra with region, and the boundary's triangles with region names");
-  u.real("edge", {}, "mm", {1e-3, 1e3}, "edge length away from the focus; default: the surface's own mean edge");
+  u.real("edge", {}, "mm", {1e-3, 1e3}, "edge length away from the focus; default: the surface's own mean edge, and its triangles are kept");
   u.points("focus", "a point on the organ that a tool will touch: fine mesh around it");
   u.real("focus-edge", {}, "mm", {1e-3, 1e3}, "edge length around a focus; default: half the edge length elsewhere");
   u.real("focus-radius", {}, "mm", {0, 1e4}, "radius around a focus with the fine edge length; default: four fine edges");
@@ -65,15 +69,26 @@ void check_file(Command& c, const TetMesh& mesh, double surface_volume) {
 }  // namespace
 
 void run(Command& c) {
-  const Surface surface = read_surface(c.input("surface"));
+  const Surface given = without_unused_points(read_surface(c.input("surface")));
+  const auto given_shells = closed_shells(given);
+  const double volume = total_volume(given_shells, bodies_of(given, given_shells));
+  const SizeField sizes = sizes_from(c, given);
+  refuse_absurd(sizes, given, volume, c.integer("max-tets"));
+
+  Progress progress = c.progress("mesh", 3);
+  const bool everywhere = c.has("edge");
+  const Surface surface = everywhere || !sizes.focus.empty()
+                              ? adapt_surface(given, sizes, [&](const Vec3& x) { return everywhere || sizes.at(x) < sizes.edge; })
+                              : given;
+  progress.update(1, std::to_string(surface.triangles.size()) + " triangles");
   const auto shells = closed_shells(surface);
-  const auto bodies = bodies_of(surface, shells);
-  const double volume = total_volume(shells, bodies);
-  const SizeField sizes = sizes_from(c, surface);
-  refuse_absurd(sizes, surface, volume, c.integer("max-tets"));
-  Filling filling = fill(surface, shells, bodies, sizes);
-  for (const auto& message : filling.messages) c.warn("gmsh: " + message);
+  Filling filling = fill(surface, shells, bodies_of(surface, shells), sizes);
+  progress.update(2, std::to_string(filling.mesh.tets.size()) + " tetrahedra");
+  for (const auto& message : filling.messages)
+    if (c.verbose()) c.say("gmsh: " + message);
+  c.note("improved", to_json(improve(filling.mesh, static_cast<int>(surface.points.size()), SurfaceIndex(surface))));
   name_boundary(filling.mesh, surface);
+  progress.update(3);
   write_mesh(c.output("mesh"), filling.mesh);
   check_file(c, read_mesh(c.output("mesh")), volume);
 }

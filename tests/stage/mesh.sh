@@ -18,15 +18,29 @@ refused() {
   if ls .partial-* bad.vtu bad.vtu.card.json 2>/dev/null; then echo "left something behind"; exit 1; fi
 }
 
-for shape in ball two hollow stone; do
+for shape in ball bean torus two hollow stone; do
   "$bin/palpate-mesh" $shape.vtp $shape.vtu --quiet
   if grep -q '"pass": false' $shape.vtu.card.json; then echo "$shape: a check failed"; exit 1; fi
 done
 
-"$bin/palpate-mesh" ball.vtp again.vtu --quiet --threads 1
-cmp ball.vtu again.vtu
-"$bin/palpate-mesh" ball.vtp again.vtu --quiet --threads 2 --force
-cmp ball.vtu again.vtu
+"$bin/palpate-mesh" bean.vtp again.vtu --quiet --threads 1
+cmp bean.vtu again.vtu
+"$bin/palpate-mesh" bean.vtp again.vtu --quiet --threads 2 --force
+cmp bean.vtu again.vtu
+
+# Fine near the focus, coarse elsewhere; same bytes again
+focus="--edge=6 --focus=0,4,12.2 --focus-edge=1.5 --focus-radius=4 --grading=12"
+"$bin/palpate-mesh" bean.vtp graded.vtu --quiet $focus
+"$bin/palpate-mesh" bean.vtp again.vtu --quiet --force --threads 2 $focus
+cmp graded.vtu again.vtu
+"$bin/palpate-mesh" bean.vtp coarse.vtu --quiet --edge=6
+# notes NAME KEY: a number of a mesh's card
+notes() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1] + ".vtu.card.json"))["notes"][sys.argv[2]])' "$1" "$2"; }
+python3 - "$(notes graded nodes)" "$(notes coarse nodes)" "$(notes bean nodes)" <<'PY'
+import sys
+graded, coarse, uniform = map(float, sys.argv[1:])
+if not (coarse < graded < uniform): sys.exit(f"nodes: coarse {coarse}, graded {graded}, uniform {uniform}")
+PY
 
 refused 4 "surface is open" open.vtp bad.vtu
 refused 4 "inside out" inside_out.vtp bad.vtu

@@ -8,7 +8,7 @@ int main(int, char** argv) {
   const std::filesystem::path folder = argv[1];
   const Surface ball = shapes::ball({5, -3, 40}, 10, 3);
   write_surface(folder / "ball.vtp", ball);
-  write_surface(folder / "bean.vtp", shapes::bean({30, 17, 12.5}, 8, 4));
+  write_surface(folder / "bean.vtp", shapes::bean({30, 17, 12.5}, 8, 3));
   write_surface(folder / "torus.vtp", shapes::torus(20, 6, 60, 18));
 
   Surface two = ball;

@@ -1,0 +1,78 @@
+// The audit sees each fault that is planted; regions and names of a body inside another.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <pipeline/mesh/boundary.hpp>
+#include <pipeline/mesh/components.hpp>
+#include <pipeline/mesh/fill.hpp>
+#include <tests/mesh/shapes.hpp>
+
+using namespace palpate;
+
+namespace {
+TetMesh meshed(const Surface& surface) {
+  SizeField sizes;
+  sizes.edge = sizes.focus_edge = mean_edge(surface);
+  const auto shells = closed_shells(surface);
+  TetMesh mesh = fill(surface, shells, bodies_of(surface, shells), sizes).mesh;
+  name_boundary(mesh, surface);
+  return mesh;
+}
+const Surface ball = shapes::ball({0, 0, 0}, 10, 2);
+
+long faults(const TetMesh& mesh) {
+  const MeshAudit a = audit(mesh);
+  return a.inverted_tets + a.unlisted_faces + a.open_edges + a.unused_nodes + a.duplicate_nodes + a.unnamed_regions;
+}
+}  // namespace
+
+TEST(Boundary, OfAFilledBallIsTheBall) {
+  const TetMesh mesh = meshed(ball);
+  EXPECT_EQ(faults(mesh), 0);
+  EXPECT_EQ(mesh.faces.size(), ball.triangles.size());
+  EXPECT_NEAR(audit(mesh).volume_mm3, enclosed_volume(ball), 1e-9 * enclosed_volume(ball));
+  EXPECT_EQ(mesh.region_names.at(1), "ball");
+  EXPECT_EQ(mesh.region_names.at(101), "ball_surface");
+  EXPECT_EQ(mesh.face_region.front(), 101);
+}
+
+TEST(Boundary, BodyInsideAnotherSharesItsNodes) {
+  Surface surface = ball;
+  shapes::append(surface, shapes::ball({1, 0, 0}, 5, 2, 2, "stone"));
+  const TetMesh mesh = meshed(surface);
+  EXPECT_EQ(faults(mesh), 0);
+  EXPECT_EQ(mesh.faces.size(), ball.triangles.size());  // the interface is no boundary
+  double stone = 0;
+  TetMesh part = mesh;
+  part.tets.clear();
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (mesh.tet_region[t] == 2) part.tets.push_back(mesh.tets[t]);
+  stone = audit(part).volume_mm3;
+  EXPECT_NEAR(stone, enclosed_volume(shapes::ball({1, 0, 0}, 5, 2)), 1e-9 * stone);
+}
+
+TEST(Boundary, EachPlantedFaultIsSeen) {
+  const TetMesh good = meshed(ball);
+  TetMesh bad = good;
+  std::swap(bad.tets[3][0], bad.tets[3][1]);
+  EXPECT_EQ(audit(bad).inverted_tets, 1);
+
+  bad = good;
+  std::swap(bad.faces[5][0], bad.faces[5][1]);
+  EXPECT_EQ(audit(bad).unlisted_faces, 2);  // one listed that is none, one missing
+
+  bad = good;
+  bad.faces.pop_back();
+  bad.face_region.pop_back();
+  EXPECT_EQ(audit(bad).unlisted_faces, 1);
+
+  bad = good;
+  bad.points.push_back({0, 0, 99});
+  EXPECT_EQ(audit(bad).unused_nodes, 1);
+  bad.points.back() = bad.points.front();
+  EXPECT_EQ(audit(bad).duplicate_nodes, 1);
+
+  bad = good;
+  bad.region_names.erase(101);
+  EXPECT_EQ(audit(bad).unnamed_regions, 1);
+}
