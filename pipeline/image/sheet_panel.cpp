@@ -11,7 +11,8 @@ namespace palpate::sheet {
 namespace {
 
 constexpr double text_height = 10, tick_height = 7;
-constexpr int narrow = 300;  // pixels: the position reaches the middle
+constexpr int narrow = 300;                // pixels: the position reaches the middle
+constexpr int smallest_with_letters = 48;  // pixels: letters would hide the picture
 
 /// 1, 2 or 5 times a power of ten: about a quarter of the panel's width.
 double round_length_mm(const Panel& panel) {
@@ -61,6 +62,7 @@ std::string number(double value, int digits) {
 
 void write_directions(cv::Mat& picture, const Panel& panel, double height) {
   const auto& p = panel.place;
+  if (std::min(p.width, p.height) < smallest_with_letters) return;
   const double x = p.x + p.width / 2.0, y = p.y + p.height / 2.0 + height / 2;
   const auto letter = [&](char c, double at_x, double at_y) {
     ink::write(picture, std::string(1, c), at_x, at_y, height, faint, ink::Weight::bold, ink::Align::centre);
