@@ -1,9 +1,4 @@
-<<<<<<< Updated upstream
-// How well labels match the truth: Dice D = 2|A ∩ B| / (|A| + |B|), volume ratio, mean distance between borders. For the shell
-// tests.
-=======
 // How well labels match the truth: Dice D = 2|A ∩ B| / (|A| + |B|), volume ratio, distance of borders. For shell tests.
->>>>>>> Stashed changes
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstdio>
