@@ -13,6 +13,7 @@
 #include <pipeline/image/places.hpp>
 #include <pipeline/image/segmentation.hpp>
 #include <pipeline/image/smoothing.hpp>
+#include <pipeline/image/threads.hpp>
 
 namespace {
 
@@ -174,6 +175,7 @@ void usage(Usage& u) {
 }
 
 void run(Command& c) {
+  use_image_threads(c.threads());
   const Scan scan = read_scan(c.input("scan"));
   const Mask domain = box_mask(scan.grid, c.points("box"));
   const auto filter = smoothing::by_name(c.text("smoothing"));
@@ -188,7 +190,8 @@ void run(Command& c) {
   expect_something(smooth, choice, steps);
 
   Labels labels{scan.grid, {mask.voxels.begin(), mask.voxels.end()}};
-  for (auto& voxel : labels.voxels) voxel *= c.integer("label");
+  const auto value = static_cast<std::uint16_t>(c.integer("label"));
+  for (auto& voxel : labels.voxels) voxel *= value;
   write_labels(c.output("labels"), labels);
 
   const LabelFacts facts = label_facts(scan, mask);
