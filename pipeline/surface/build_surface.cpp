@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include <pipeline/surface/checks.hpp>
 #include <pipeline/surface/contour.hpp>
 #include <pipeline/surface/field.hpp>
 #include <pipeline/surface/measure.hpp>
@@ -17,6 +19,12 @@ namespace {
 
 constexpr double lattice_nodes_max = 6e7;  ///< 240 MB a field
 
+std::string mm_text(double mm) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g mm", mm);
+  return text;
+}
+
 /// Fine enough for the triangles and the voxels, coarser only where the lattice would not fit.
 double lattice_step(const Grid& grid, double edge_mm) {
   const Vec3 spacing = grid.spacing();
@@ -28,6 +36,7 @@ double lattice_step(const Grid& grid, double edge_mm) {
 
 /// Blurring may leave crumbs where labels were thin, and bubbles where they were porous: less than half of what a piece must have.
 Surface without_small_shells(const Surface& surface, const MaskOptions& options, SurfaceLedger& ledger) {
+  ledger.crumbs = 0, ledger.crumbs_mm3 = 0;
   const auto all = shells(surface);
   const double least_mm3 = std::max(0.5 * options.min_piece, 1e-4) * all.front().volume_mm3;
   std::vector<bool> kept(surface.triangles.size(), false);
@@ -39,6 +48,24 @@ Surface without_small_shells(const Surface& surface, const MaskOptions& options,
   return part_of(surface, kept);
 }
 
+/// One try with a Gaussian of `smooth_mm`.
+Surface attempt(const Mask& mask, double smooth_mm, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
+  const Vec3 spacing = mask.grid.spacing();
+  const double slack_mm = 0.5 * *std::min_element(spacing.begin(), spacing.end());
+  ledger.sigma_mm = gaussian_mm(mask.grid, smooth_mm);
+  tell("smoothing over " + mm_text(smooth_mm) + " on a lattice of " + mm_text(ledger.step_mm));
+  const Scan weights = consistent_weights(mask, ledger.sigma_mm, slack_mm, options.steps);
+  Surface surface = contour_of_volume(organ_field(weights, ledger.sigma_mm, ledger.step_mm), ledger.voxels_mm3);
+  surface = without_small_shells(surface, options.mask, ledger);
+  ledger.raw_mm3 = volume_mm3(surface);
+  ledger.raw_triangles = surface.triangles.size();
+  tell("remeshing " + std::to_string(ledger.raw_triangles) + " triangles to edges of " + mm_text(ledger.edge_mm));
+  surface = remesh(surface, ledger.edge_mm, options.iterations);
+  ledger.offset_mm = restore_volume(surface, ledger.voxels_mm3);
+  ledger.final_mm3 = volume_mm3(surface);
+  return surface;
+}
+
 }  // namespace
 
 Surface build_surface(const Labels& labels, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
@@ -46,22 +73,18 @@ Surface build_surface(const Labels& labels, const SurfaceOptions& options, Surfa
   const Mask mask = organ_mask(box, options.mask, ledger.mask);
   ledger.voxels_mm3 = ledger.mask.mm3;
   ledger.edge_mm = options.edge_mm > 0 ? options.edge_mm : std::cbrt(ledger.mask.kept.front().mm3) / 20;
-  const double smooth_mm = options.smooth_mm > 0 ? options.smooth_mm : std::max(default_smooth_mm(mask.grid), ledger.edge_mm / 3);
-  ledger.sigma_mm = gaussian_mm(mask.grid, smooth_mm);
   ledger.step_mm = lattice_step(mask.grid, ledger.edge_mm);
-  tell("smoothing on a lattice of " + std::to_string(ledger.step_mm) + " mm");
-  const Vec3 spacing = mask.grid.spacing();
-  const double slack_mm = 0.5 * *std::min_element(spacing.begin(), spacing.end());
-  const Scan weights = consistent_weights(mask, ledger.sigma_mm, slack_mm, options.steps);
-  const Scan field = organ_field(weights, ledger.sigma_mm, ledger.step_mm);
-  Surface surface = contour_of_volume(field, ledger.voxels_mm3);
-  surface = without_small_shells(surface, options.mask, ledger);
-  ledger.raw_mm3 = volume_mm3(surface);
-  ledger.raw_triangles = surface.triangles.size();
-  tell("remeshing " + std::to_string(ledger.raw_triangles) + " triangles to edges of " + std::to_string(ledger.edge_mm) + " mm");
-  surface = remesh(surface, ledger.edge_mm, options.iterations);
-  ledger.offset_mm = restore_volume(surface, ledger.voxels_mm3);
-  ledger.final_mm3 = volume_mm3(surface);
+  double smooth_mm = options.smooth_mm > 0 ? options.smooth_mm : std::max(default_smooth_mm(mask.grid), ledger.edge_mm / 3);
+  Surface surface;
+  for (int tries = 0; tries < 4; ++tries, smooth_mm *= 1.2) {
+    surface = attempt(mask, smooth_mm, options, ledger, tell);
+    SurfaceLimits limits;
+    limits.volume_mm3 = ledger.voxels_mm3;
+    const auto failed = first_failed(surface_checks(surface, limits));
+    if (!failed) break;
+    ledger.attempts.push_back("smoothed over " + mm_text(smooth_mm) + ", " + failed->name + " was " + failed->value.dump() + ", " + failed->where);
+    tell(ledger.attempts.back());
+  }
   const double reach = 4 * *std::max_element(ledger.sigma_mm.begin(), ledger.sigma_mm.end());
   surface.triangle_region = nearest_labels(surface, box, options.mask.labels, reach);
   return surface;

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <pipeline/surface/mask.hpp>
 #include <palpate/mesh_files.hpp>
@@ -25,6 +26,7 @@ struct SurfaceLedger {
   double voxels_mm3 = 0, raw_mm3 = 0, final_mm3 = 0;
   double offset_mm = 0;                     ///< along the normals, to restore the volume after remeshing
   std::size_t raw_triangles = 0;
+  std::vector<std::string> attempts;        ///< what was wrong with the tries before this one, if any
   int crumbs = 0;                           ///< small shells of the contour that were left out
   double crumbs_mm3 = 0;
 };
@@ -32,7 +34,8 @@ struct SurfaceLedger {
 /// Tells the person how far it is.
 using Tell = std::function<void(const std::string&)>;
 
-/// The surface of the chosen labels; region of a triangle: the nearest label.
+/// The surface of the chosen labels; region of a triangle: the nearest label. Where blurring leaves a tunnel or neck too thin for triangles
+/// of that size (a self-intersection or a needle), it is tried again with a wider Gaussian, three times at most; the last try is returned as it is.
 Surface build_surface(const Labels& labels, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell);
 
 }  // namespace palpate

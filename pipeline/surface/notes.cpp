@@ -97,6 +97,7 @@ std::vector<std::string> warnings(const Labels& labels, const SurfaceLedger& led
   std::vector<std::string> all;
   if (!ledger.mask.dropped.empty()) all.push_back("small pieces dropped: " + amount(ledger.mask.dropped, ledger.voxels_mm3));
   if (!ledger.mask.filled.empty()) all.push_back("cavities filled: " + amount(ledger.mask.filled, ledger.voxels_mm3));
+  for (const std::string& attempt : ledger.attempts) all.push_back("tried again with more smoothing: " + attempt);
   if (cut_by_border(labels)) all.push_back("the labels reach the edge of the volume: the organ is cut there, and the surface closed");
   return all;
 }
