@@ -1,4 +1,4 @@
-# CGAL (kernel, surface mesh, polygon mesh processing).
+# CGAL: predicates, halfedge mesh, polygon mesh processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Headers: CGAL/.*
 # Homes: pipeline/surface

@@ -48,19 +48,35 @@ Surface without_small_shells(const Surface& surface, const MaskOptions& options,
   return part_of(surface, kept);
 }
 
-/// One try with a Gaussian of `smooth_mm`.
-Surface attempt(const Mask& mask, double smooth_mm, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
+/// Remeshed; where a crease or neck is too narrow for the triangles, it is relaxed a little and the whole remeshed again, while that helps.
+Surface even_triangles(const Surface& surface, double edge_mm, int iterations) {
+  Surface best = remesh(surface, edge_mm, iterations);
+  auto poor = poor_triangles(best, 20, 40);
+  for (int round = 0; round < 5 && !poor.empty(); ++round) {
+    Surface relaxed = best;
+    relax_around(relaxed, poor, 2, 5);
+    relaxed = remesh(relaxed, edge_mm, 3);
+    const auto still_poor = poor_triangles(relaxed, 20, 40);
+    if (still_poor.size() >= poor.size() || !self_intersections(relaxed).empty()) break;
+    best = std::move(relaxed);
+    poor = still_poor;
+  }
+  return best;
+}
+
+/// One try with a Gaussian of `smooth_mm` and `steps` towards agreement with the voxels.
+Surface attempt(const Mask& mask, double smooth_mm, int steps, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
   const Vec3 spacing = mask.grid.spacing();
   const double slack_mm = 0.5 * *std::min_element(spacing.begin(), spacing.end());
   ledger.sigma_mm = gaussian_mm(mask.grid, smooth_mm);
   tell("smoothing over " + mm_text(smooth_mm) + " on a lattice of " + mm_text(ledger.step_mm));
-  const Scan weights = consistent_weights(mask, ledger.sigma_mm, slack_mm, options.steps);
+  const Scan weights = consistent_weights(mask, ledger.sigma_mm, slack_mm, steps);
   Surface surface = contour_of_volume(organ_field(weights, ledger.sigma_mm, ledger.step_mm), ledger.voxels_mm3);
   surface = without_small_shells(surface, options.mask, ledger);
   ledger.raw_mm3 = volume_mm3(surface);
   ledger.raw_triangles = surface.triangles.size();
   tell("remeshing " + std::to_string(ledger.raw_triangles) + " triangles to edges of " + mm_text(ledger.edge_mm));
-  surface = remesh(surface, ledger.edge_mm, options.iterations);
+  surface = even_triangles(surface, ledger.edge_mm, options.iterations);
   ledger.offset_mm = restore_volume(surface, ledger.voxels_mm3);
   ledger.final_mm3 = volume_mm3(surface);
   return surface;
@@ -76,8 +92,9 @@ Surface build_surface(const Labels& labels, const SurfaceOptions& options, Surfa
   ledger.step_mm = lattice_step(mask.grid, ledger.edge_mm);
   double smooth_mm = options.smooth_mm > 0 ? options.smooth_mm : std::max(default_smooth_mm(mask.grid), ledger.edge_mm / 3);
   Surface surface;
-  for (int tries = 0; tries < 4; ++tries, smooth_mm *= 1.2) {
-    surface = attempt(mask, smooth_mm, options, ledger, tell);
+  for (int tries = 0; tries < 5; ++tries) {
+    if (tries > 1) smooth_mm *= 1.2;
+    surface = attempt(mask, smooth_mm, tries == 0 ? options.steps : 0, options, ledger, tell);
     SurfaceLimits limits;
     limits.volume_mm3 = ledger.voxels_mm3;
     const auto failed = first_failed(surface_checks(surface, limits));

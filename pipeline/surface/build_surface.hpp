@@ -34,8 +34,9 @@ struct SurfaceLedger {
 /// Tells the person how far it is.
 using Tell = std::function<void(const std::string&)>;
 
-/// The surface of the chosen labels; region of a triangle: the nearest label. Where blurring leaves a tunnel or neck too thin for triangles
-/// of that size (a self-intersection or a needle), it is tried again with a wider Gaussian, three times at most; the last try is returned as it is.
+/// The surface of the chosen labels; region of a triangle: the nearest label. Where a tunnel or neck is too thin for triangles of that size
+/// (a self-intersection or a needle is left), it is tried again without putting back what the Gaussian blurs away, then with a wider Gaussian,
+/// five tries at most; the last is returned as it is.
 Surface build_surface(const Labels& labels, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell);
 
 }  // namespace palpate

@@ -54,6 +54,24 @@ void for_each_edge(const std::vector<Side>& sides, Visit visit) {
   }
 }
 
+/// Smallest and largest angle of a triangle.
+std::pair<double, double> extreme_angles(const Surface& s, const std::array<int, 3>& t) {
+  std::pair<double, double> extreme{180, 0};
+  for (int c = 0; c < 3; ++c) {
+    const Vec3& x = s.points[t[c]];
+    const Vec3 u = s.points[t[(c + 1) % 3]] - x, v = s.points[t[(c + 2) % 3]] - x;
+    const double angle = deg * std::atan2(norm(cross(u, v)), dot(u, v));
+    extreme = {std::min(extreme.first, angle), std::max(extreme.second, angle)};
+  }
+  return extreme;
+}
+
+/// Angle between the two triangles of an edge: 180 is flat.
+double fold_deg_of(const Surface& s, std::span<const Side> edge) {
+  const Vec3 m = double_area(s, s.triangles[edge[0].triangle]), n = double_area(s, s.triangles[edge[1].triangle]);
+  return 180 - deg * std::atan2(norm(cross(m, n)), dot(m, n));
+}
+
 class Union {
  public:
   explicit Union(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -109,23 +127,28 @@ double area_mm2(const Surface& surface) {
 
 Angles angles(const Surface& surface) {
   Angles result;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const Vec3& x = surface.points[surface.triangles[t][c]];
-      const Vec3 u = surface.points[surface.triangles[t][(c + 1) % 3]] - x, v = surface.points[surface.triangles[t][(c + 2) % 3]] - x;
-      const double angle = deg * std::atan2(norm(cross(u, v)), dot(u, v));
-      result.max_deg = std::max(result.max_deg, angle);
-      if (angle < result.min_deg) result.min_deg = angle, result.sharpest_triangle = int(t);
-    }
-  const auto sides = sorted_sides(surface);
-  for_each_edge(sides, [&](std::span<const Side> edge) {
-    if (edge.size() != 2) return;
-    const Vec3 m = double_area(surface, surface.triangles[edge[0].triangle]);
-    const Vec3 n = double_area(surface, surface.triangles[edge[1].triangle]);
-    const double fold = 180 - deg * std::atan2(norm(cross(m, n)), dot(m, n));
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto [smallest, largest] = extreme_angles(surface, surface.triangles[t]);
+    result.max_deg = std::max(result.max_deg, largest);
+    if (smallest < result.min_deg) result.min_deg = smallest, result.sharpest_triangle = int(t);
+  }
+  for_each_edge(sorted_sides(surface), [&](std::span<const Side> edge) {
+    const double fold = edge.size() == 2 ? fold_deg_of(surface, edge) : 180;
     if (fold < result.min_fold_deg) result.min_fold_deg = fold, result.fold_triangle = edge[0].triangle;
   });
   return result;
+}
+
+std::vector<int> poor_triangles(const Surface& surface, double deg_limit, double fold_deg) {
+  std::vector<bool> poor(surface.triangles.size(), false);
+  for (std::size_t t = 0; t < poor.size(); ++t) poor[t] = extreme_angles(surface, surface.triangles[t]).first < deg_limit;
+  for_each_edge(sorted_sides(surface), [&](std::span<const Side> edge) {
+    if (edge.size() == 2 && fold_deg_of(surface, edge) < fold_deg) poor[edge[0].triangle] = poor[edge[1].triangle] = true;
+  });
+  std::vector<int> list;
+  for (std::size_t t = 0; t < poor.size(); ++t)
+    if (poor[t]) list.push_back(int(t));
+  return list;
 }
 
 std::vector<Shell> shells(const Surface& surface) {

@@ -21,6 +21,9 @@ struct Angles {
 };
 Angles angles(const Surface& surface);
 
+/// Triangles with an angle below `deg`, and pairs folded to less than `fold_deg`.
+std::vector<int> poor_triangles(const Surface& surface, double deg, double fold_deg);
+
 /// One connected piece of triangles.
 struct Shell {
   std::vector<int> triangles;

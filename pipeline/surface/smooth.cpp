@@ -9,8 +9,8 @@
 namespace palpate {
 namespace {
 
-/// x += factor · (mean of the neighbours − x). On a closed surface every neighbour is met twice, so the mean may count sides.
-void umbrella_step(Surface& surface, double factor) {
+/// x += factor · (mean of the neighbours − x) where `moves`. On a closed surface every neighbour is met twice, so the mean may count sides.
+void umbrella_step(Surface& surface, double factor, const std::vector<bool>& moves) {
   std::vector<Vec3> sum(surface.points.size(), Vec3{0, 0, 0});
   std::vector<int> count(surface.points.size(), 0);
   for (const auto& t : surface.triangles)
@@ -19,7 +19,7 @@ void umbrella_step(Surface& surface, double factor) {
       count[t[c]] += 2;
     }
   for (std::size_t p = 0; p < surface.points.size(); ++p)
-    if (count[p] > 0) surface.points[p] = surface.points[p] + factor * ((1.0 / count[p]) * sum[p] - surface.points[p]);
+    if (moves[p] && count[p] > 0) surface.points[p] = surface.points[p] + factor * ((1.0 / count[p]) * sum[p] - surface.points[p]);
 }
 
 /// One third of the area vectors of the triangles around each point.
@@ -36,10 +36,25 @@ std::vector<Vec3> area_vectors(const Surface& surface) {
 }  // namespace
 
 void taubin_smooth(Surface& surface, int passes) {
+  const std::vector<bool> all(surface.points.size(), true);
   for (int pass = 0; pass < passes; ++pass) {
-    umbrella_step(surface, 0.5);
-    umbrella_step(surface, -0.53);
+    umbrella_step(surface, 0.5, all);
+    umbrella_step(surface, -0.53, all);
   }
+}
+
+void relax_around(Surface& surface, const std::vector<int>& triangles, int rings, int passes) {
+  std::vector<bool> moves(surface.points.size(), false);
+  for (int t : triangles)
+    for (int p : surface.triangles[t]) moves[p] = true;
+  for (int ring = 0; ring < rings; ++ring) {
+    std::vector<bool> wider = moves;
+    for (const auto& t : surface.triangles)
+      if (moves[t[0]] || moves[t[1]] || moves[t[2]])
+        for (int p : t) wider[p] = true;
+    moves = std::move(wider);
+  }
+  for (int pass = 0; pass < passes; ++pass) umbrella_step(surface, 0.5, moves);
 }
 
 double restore_volume(Surface& surface, double mm3) {
