@@ -23,16 +23,14 @@ std::string place_text(const Vec3& x) {
   return text;
 }
 
-/// The values of a field, `components` per item; empty when there is none and it is not needed.
-std::vector<double> values_of(const std::vector<Field>& fields, const std::string& name, int components, std::size_t items, const fs::path& file,
-                              bool needed) {
+/// The values of a field, `components` per item.
+std::vector<double> values_of(const std::vector<Field>& fields, const std::string& name, int components, std::size_t items, const fs::path& file) {
   for (const Field& field : fields) {
     if (field.name != name) continue;
     if (field.components != components || field.values.size() != components * items) damaged(file, "the field " + name + " does not fit the mesh");
     return field.values;
   }
-  if (needed) damaged(file, "the field " + name + " is missing");
-  return {};
+  damaged(file, "the field " + name + " is missing");
 }
 
 void expect_finite(const std::vector<double>& values, int components, const std::string& name, const fs::path& file,
@@ -97,13 +95,11 @@ LoadedFrame load(const Solve& solve, const Frame& frame) {
   const MeshFields fields = read_mesh_fields(frame.file);
   const auto& points = pressed.mesh.points;
   const auto& tets = pressed.mesh.tets;
-  const auto moved = values_of(fields.on_points, "displacement", 3, points.size(), frame.file, true);
-  pressed.von_mises = values_of(fields.on_tets, "von_mises", 1, tets.size(), frame.file, true);
-  const auto J = values_of(fields.on_tets, "J", 1, tets.size(), frame.file, false);
+  const auto moved = values_of(fields.on_points, "displacement", 3, points.size(), frame.file);
+  pressed.von_mises = values_of(fields.on_tets, "von_mises", 1, tets.size(), frame.file);
   const auto corner = [&](std::size_t t) { return points[tets[t][0]]; };
   expect_finite(moved, 3, "displacement", frame.file, [&](std::size_t i) { return points[i]; });
   expect_finite(pressed.von_mises, 1, "von_mises", frame.file, corner);
-  expect_finite(J, 1, "J", frame.file, corner);
   for (std::size_t i = 0; i < points.size(); ++i) {
     pressed.displacement.push_back({moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]});
     drawing.largest_displacement_mm = std::max(drawing.largest_displacement_mm, norm(pressed.displacement.back()));
@@ -112,8 +108,6 @@ LoadedFrame load(const Solve& solve, const Frame& frame) {
   std::sort(sorted.begin(), sorted.end());
   drawing.largest_stress_mpa = sorted.back();
   loaded.stress_scale_mpa = sorted[std::size_t(0.995 * (sorted.size() - 1))];
-  drawing.has_J = !J.empty();
-  if (drawing.has_J) drawing.smallest_J = *std::min_element(J.begin(), J.end());
   pressed.tool = tool_at(solve, drawing.depth_mm);
   return loaded;
 }

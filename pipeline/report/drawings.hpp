@@ -14,8 +14,7 @@ namespace palpate {
 struct PressedDrawing {
   std::string solve;
   double time_s = 0, depth_mm = 0;
-  double largest_displacement_mm = 0, largest_stress_mpa = 0, smallest_J = 0;
-  bool has_J = false;
+  double largest_displacement_mm = 0, largest_stress_mpa = 0;
   Picture outside;
   std::vector<NamedPicture> sections;
 };

@@ -40,6 +40,19 @@ std::string tool_words(const Json& summary) {
   return "a " + kind + (std::isfinite(radius) ? " of " + readable(2 * radius) + " mm diameter" : "");
 }
 
+std::string law_words(const Json& summary) {
+  if (!summary.contains("law") || !summary["law"].is_string()) return "";
+  std::string text = summary["law"].get<std::string>();
+  if (!summary.contains("parameters") || !summary["parameters"].is_object()) return text;
+  const char* separator = ": ";
+  for (const auto& [name, value] : summary["parameters"].items()) {
+    if (!value.is_number()) continue;
+    text += separator + name + " " + readable(value.get<double>());
+    separator = ", ";
+  }
+  return text;
+}
+
 std::string range_text(double low, double high, const std::string& unit) {
   const std::string a = readable(low, 3), b = readable(high, 3);
   return (a == b ? a : a + " to " + b) + " " + unit;
@@ -85,6 +98,9 @@ SolveFacts facts_of(const Solve& solve) {
     const double asked = number_of(solve.summary["depth_mm"], "asked");
     if (std::isfinite(asked)) facts.depth_asked_mm = asked;
   }
+  const double smallest_J = number_of(solve.summary, "smallest_J");
+  if (std::isfinite(smallest_J)) facts.smallest_J = smallest_J;
+  facts.law = law_words(solve.summary);
   for (double area : solve.history.column("contact_area[mm2]")) facts.contact_area_mm2 = std::max(facts.contact_area_mm2, area);
   for (double count : solve.history.column("iterations")) facts.iterations += static_cast<long>(count);
   return facts;

@@ -193,9 +193,9 @@ std::string picture_figure(const Picture& picture, const std::string& alt, const
          overlay(picture) + "</div><figcaption>" + caption + "</figcaption></figure>\n";
 }
 
-std::string colour_bar(const std::string& field, const std::string& top) {
+std::string colour_bar(const std::string& field, Tones tones, const std::string& top) {
   std::string stops;
-  for (const auto& colour : field_colours()) stops += ", " + colour;
+  for (const auto& colour : tone_colours(tones)) stops += ", " + colour;
   return "<div class=\"bar\" role=\"img\" aria-label=\"" + escaped(field + ", colours from 0 to " + top) + "\"><span>" + escaped(field) +
          " 0</span><i style=\"background: linear-gradient(to right" + stops + ")\"></i><span>" + escaped(top) + "</span></div>\n";
 }

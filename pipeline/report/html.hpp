@@ -30,7 +30,7 @@ std::string table_row(const std::vector<std::string>& cells, const std::string& 
 std::string picture_figure(const Picture& picture, const std::string& alt, const std::string& caption);
 
 /// The bar of a field's colours from 0 to `top`, which is text with a unit.
-std::string colour_bar(const std::string& field, const std::string& top);
+std::string colour_bar(const std::string& field, Tones tones, const std::string& top);
 
 /// A canvas that page.js fills from `plot`.
 std::string plot_figure(const std::string& id, const Json& plot, const std::string& alt, const std::string& css_class);

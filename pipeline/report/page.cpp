@@ -139,34 +139,35 @@ std::string force_plot(const Study& study) {
   return plot_figure("plot-force", plot, "Force over depth of every solve; the same numbers are in the table below", "plot");
 }
 
-std::string solves_table(const Study& study, const Drawings& drawings) {
+std::string solves_table(const Study& study) {
   const ForceUnit unit = force_unit(study);
   std::string rows;
   for (const Solve& solve : study.solves) {
     const SolveFacts facts = facts_of(solve);
-    std::string smallest_J = "–";
-    for (const PressedDrawing& drawing : drawings.pressed)
-      if (drawing.solve == solve.name && drawing.has_J) smallest_J = readable(drawing.smallest_J, 4);
-    rows += table_row({escaped(solve.name), readable(facts.peak_force_N * unit.per_newton, 4), readable(facts.depth_at_peak_mm, 3),
+    rows += table_row({escaped(solve.name), readable(facts.peak_force_N * unit.per_newton), readable(facts.depth_at_peak_mm, 3),
                        readable(facts.depth_reached_mm, 3) + (facts.depth_asked_mm > 0 ? " of " + readable(facts.depth_asked_mm, 3) : ""),
-                       facts.contact_area_mm2 > 0 ? readable(facts.contact_area_mm2, 3) : "–", std::to_string(facts.steps), std::to_string(facts.iterations), smallest_J},
+                       facts.contact_area_mm2 > 0 ? readable(facts.contact_area_mm2, 3) : "–", std::to_string(facts.steps - 1),
+                       std::to_string(facts.iterations), facts.smallest_J > 0 ? readable(facts.smallest_J) : "–"},
                       "td", 1);
   }
-  return wide("<table><thead>" +
-              table_row({"solve", "peak force (" + unit.name + ")", "at depth (mm)", "depth reached (mm)", "largest contact area (mm²)", "steps", "Newton iterations",
-                         "smallest J (deepest frame)"}, "th", 1) +
-              "</thead><tbody>" + rows + "</tbody></table>");
+  const std::vector<std::string> heads{"solve", "peak force (" + unit.name + ")", "at depth (mm)", "depth reached (mm)", "largest contact area (mm²)",
+                                       "steps", "Newton iterations", "smallest J"};
+  std::string laws;
+  for (const Solve& solve : study.solves)
+    if (const std::string law = facts_of(solve).law; !law.empty()) laws += "<li><b>" + escaped(solve.name) + "</b> " + escaped(law) + "</li>\n";
+  return wide("<table><thead>" + table_row(heads, "th", 1) + "</thead><tbody>" + rows + "</tbody></table>") +
+         (laws.empty() ? "" : "<p class=\"hint laws\">Laws and their parameters (stresses in MPa):</p><ul class=\"hint\">\n" + laws + "</ul>\n");
 }
 
-std::string force_html(const Study& study, const Drawings& drawings) {
+std::string force_html(const Study& study) {
   if (study.solves.empty()) return "";
   return "<p class=\"hint\">Force along the tool's axis, positive when the organ resists. Point at a curve for its values.</p>\n" + force_plot(study) +
-         solves_table(study, drawings);
+         solves_table(study);
 }
 
 std::string pressed_html(const Drawings& drawings) {
   if (drawings.pressed.empty()) return "";
-  std::string html = "<p class=\"hint\">Each solve at its greatest depth, not magnified. <span class=\"key\" style=\"background: #db5c29\"></span> the organ at rest. "
+  std::string html = "<p class=\"hint\">Each solve at its greatest depth, not magnified. <span class=\"key\" style=\"background: #bf267d\"></span> the organ at rest. "
                      "Stress is drawn as computed, one value per tetrahedron; its colours end where 99.5 % of the tetrahedra lie below, the same in all pictures.</p>\n";
   for (const PressedDrawing& drawing : drawings.pressed) {
     html += "<h3>" + escaped(drawing.solve) + " at " + readable(drawing.depth_mm, 3) + " mm</h3>\n<div class=\"pictures\">\n";
@@ -178,8 +179,8 @@ std::string pressed_html(const Drawings& drawings) {
                              escaped(name) + "; largest von Mises stress " + readable(drawing.largest_stress_mpa * 1000, 3) + " kPa");
     html += "</div>\n";
   }
-  return html + colour_bar("displacement", readable(drawings.displacement_scale_mm, 3) + " mm") +
-         colour_bar("von Mises stress", readable(drawings.stress_scale_mpa * 1000, 3) + " kPa");
+  return html + colour_bar("displacement", Tones::displacement, readable(drawings.displacement_scale_mm, 3) + " mm") +
+         colour_bar("von Mises stress", Tones::stress, readable(drawings.stress_scale_mpa * 1000, 3) + " kPa");
 }
 
 std::string check_value(const Json& value) {
@@ -256,7 +257,7 @@ std::string page_html(const Study& study, const Drawings& drawings) {
   html += "</style>\n<script>\n";
   html += error_catcher;
   html += "</script>\n</head>\n<body>\n" + head_html(study) + "<main>\n";
-  html += section("force", "Force and depth", force_html(study, drawings));
+  html += section("force", "Force and depth", force_html(study));
   html += section("pressed", "The pressed organ", pressed_html(drawings));
   html += section("scan", "Scan and labels", sheet_html(study));
   html += section("surface", "Surface", surface_html(study, drawings));

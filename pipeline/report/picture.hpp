@@ -31,7 +31,10 @@ struct NamedPicture {
 /// The smallest view along `toward` that holds all points, with a margin; neither very low nor narrower than high.
 View fit_view(const std::vector<Vec3>& points, const Vec3& toward, const Vec3& up);
 
-/// The colours of fields (viridis) as "#rrggbb", from low to high, for the bar beside a picture.
-std::vector<std::string> field_colours();
+/// Sequences of colours for fields, pale for 0: one per kind of field, so that they are not mistaken for one another.
+enum class Tones { none, displacement, stress };
+
+/// As "#rrggbb", from low to high, for the bar beside a picture.
+std::vector<std::string> tone_colours(Tones tones);
 
 }  // namespace palpate

@@ -26,7 +26,7 @@ namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-constexpr Colour steel{0.56, 0.60, 0.66}, ink{0.16, 0.18, 0.22}, rest_line{0.86, 0.36, 0.16};
+constexpr Colour steel{0.56, 0.60, 0.66}, ink{0.16, 0.18, 0.22}, rest_line{0.75, 0.15, 0.49};
 constexpr int wide = 900, narrow = 560;  // pixels
 
 /// Soft tones that differ in lightness too; regions beyond the last begin anew.
@@ -144,7 +144,7 @@ void add_regions(Scene& scene, const std::vector<Vec3>& points, const Triangles&
   }
 }
 
-void add_tool(Scene& scene, const std::optional<Tool>& tool, double opacity) {
+void add_tool(Scene& scene, const std::optional<Tool>& tool) {
   if (!tool) return;
   const ToolSurface shell = tool_surface(*tool);
   auto shape = shape_of(shell.points, shell.triangles);
@@ -152,7 +152,7 @@ void add_tool(Scene& scene, const std::optional<Tool>& tool, double opacity) {
   normals->SetInputData(shape);
   normals->SetFeatureAngle(30);
   normals->Update();
-  scene.add(normals->GetOutput(), {.colour = steel, .opacity = opacity});
+  scene.add(normals->GetOutput(), {.colour = steel});
 }
 
 vtkSmartPointer<vtkPolyData> cut(vtkUnstructuredGrid& grid, const Vec3& origin, const Vec3& normal) {
@@ -268,9 +268,9 @@ Picture pressed_outside(const Pressed& pressed, double displacement_mm) {
   silhouette->SetEnableFeatureAngle(0);
   silhouette->Update();
   Scene scene;
-  scene.add(smooth_shaded(*organ), {.field = "displacement", .range = {0, displacement_mm}});
+  scene.add(smooth_shaded(*organ), {.field = "displacement", .tones = Tones::displacement, .top = displacement_mm});
   scene.add(silhouette->GetOutput(), {.colour = rest_line, .lit = false, .line_width = 1.5});
-  add_tool(scene, pressed.tool, 0.6);
+  add_tool(scene, pressed.tool);
   std::vector<Vec3> seen = used_points(moved(pressed), triangles);
   for (const Vec3& p : used_points(pressed.mesh.points, triangles)) seen.push_back(p);
   if (pressed.tool)
@@ -288,13 +288,13 @@ std::vector<NamedPicture> pressed_sections(const Pressed& pressed, double stress
   for (const bool near : {false, true}) {
     if (near && !pressed.tool) break;
     Scene scene;
-    scene.add(section.Get(), {.edges = near, .lit = false, .line_width = 0.5, .field = "von_mises", .range = {0, stress_mpa}});
+    scene.add(section.Get(), {.edges = near, .lit = false, .line_width = 0.5, .field = "von_mises", .tones = Tones::stress, .top = stress_mpa});
     scene.add(edge, {.colour = ink, .lit = false, .line_width = 1.2, .layer = 1});
     scene.add(rest, {.colour = rest_line, .lit = false, .line_width = 1.5, .layer = 3});
     std::vector<Vec3> seen = used_points(pressed.mesh.points, triangles);
     if (pressed.tool) {
       const auto tool = tool_section(*pressed.tool, cross(where.normal, where.axis));
-      scene.add(polygon_of(tool), {.colour = steel, .opacity = 0.85, .lit = false, .layer = 2});
+      scene.add(polygon_of(tool), {.colour = steel, .lit = false, .layer = 2});
       seen.insert(seen.end(), tool.begin(), tool.end());
     }
     View view = fit_view(seen, where.normal, -1.0 * where.axis);

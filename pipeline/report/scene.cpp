@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
+#include <vtkColorSeries.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkImageData.h>
 #include <vtkLightKit.h>
@@ -29,17 +30,21 @@ namespace {
 
 constexpr int oversampling = 2;
 
-/// viridis at equal steps (van der Walt and Smith 2015, CC0).
-constexpr std::array<std::array<int, 3>, 9> viridis{
-    {{68, 1, 84}, {71, 44, 122}, {59, 81, 139}, {44, 113, 142}, {33, 144, 141}, {39, 173, 129}, {92, 200, 99}, {170, 220, 50}, {253, 231, 37}}};
+/// Brewer's sequences (colorbrewer2.org, Apache 2) as VTK keeps them, without the palest.
+std::vector<vtkColor3ub> colours_of(Tones tones) {
+  vtkNew<vtkColorSeries> series;
+  series->SetColorScheme(tones == Tones::stress ? vtkColorSeries::BREWER_SEQUENTIAL_YELLOW_ORANGE_BROWN_9 : vtkColorSeries::BREWER_SEQUENTIAL_BLUE_GREEN_9);
+  std::vector<vtkColor3ub> colours;
+  for (int i = 1; i < series->GetNumberOfColors(); ++i) colours.push_back(series->GetColor(i));
+  return colours;
+}
 
-vtkSmartPointer<vtkColorTransferFunction> field_map(const std::array<double, 2>& range) {
+vtkSmartPointer<vtkColorTransferFunction> field_map(Tones tones, double top) {
+  const auto colours = colours_of(tones);
   auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
   map->SetColorSpaceToRGB();
-  for (std::size_t i = 0; i < viridis.size(); ++i) {
-    const double x = range[0] + (range[1] - range[0]) * double(i) / (viridis.size() - 1);
-    map->AddRGBPoint(x, viridis[i][0] / 255.0, viridis[i][1] / 255.0, viridis[i][2] / 255.0);
-  }
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    map->AddRGBPoint(top * double(i) / (colours.size() - 1), colours[i][0] / 255.0, colours[i][1] / 255.0, colours[i][2] / 255.0);
   return map;
 }
 
@@ -52,7 +57,7 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData& shape, const Look& look) {
     if (shape.GetPointData()->HasArray(look.field.c_str())) mapper->SetScalarModeToUsePointFieldData();
     else mapper->SetScalarModeToUseCellFieldData();
     mapper->SelectColorArray(look.field.c_str());
-    mapper->SetLookupTable(field_map(look.range));
+    mapper->SetLookupTable(field_map(look.tones, look.top));
     mapper->InterpolateScalarsBeforeMappingOn();
     mapper->UseLookupTableScalarRangeOn();
   }
@@ -60,12 +65,11 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData& shape, const Look& look) {
   actor->SetMapper(mapper);
   vtkProperty& property = *actor->GetProperty();
   property.SetColor(look.colour[0], look.colour[1], look.colour[2]);
-  property.SetOpacity(look.opacity);
   property.SetLineWidth(look.line_width * oversampling);
   property.SetEdgeVisibility(look.edges);
   property.SetEdgeColor(0.10, 0.12, 0.16);
-  property.SetSpecular(look.lit ? 0.15 : 0);
-  property.SetSpecularPower(25);
+  property.SetAmbient(look.lit ? 0.22 : 1);
+  property.SetDiffuse(look.lit ? 0.78 : 0);
   property.SetLighting(look.lit);
   return actor;
 }
@@ -80,6 +84,20 @@ void aim_camera(vtkRenderer& renderer, const View& view) {
   camera.SetViewUp(view.up.data());
   camera.SetParallelScale(view.height_mm / 2);
   renderer.ResetCameraClippingRange();
+}
+
+/// White light, mostly from above; softer shadows than the kit's own.
+vtkSmartPointer<vtkLightKit> even_lights() {
+  auto kit = vtkSmartPointer<vtkLightKit>::New();
+  constexpr double white = 0.5;
+  kit->SetKeyLightWarmth(white);
+  kit->SetFillLightWarmth(white);
+  kit->SetHeadLightWarmth(white);
+  kit->SetBackLightWarmth(white);
+  kit->SetKeyLightIntensity(0.75);
+  kit->SetKeyToHeadRatio(1.8);
+  kit->SetKeyToFillRatio(2.5);
+  return kit;
 }
 
 /// Means of oversampling × oversampling pixels. VTK leaves colours multiplied by their opacity; a PNG wants them plain.
@@ -167,7 +185,7 @@ Picture Scene::draw(const View& view, int width_pixels) const {
   }
   renderer->SetBackground(0, 0, 0);
   renderer->SetBackgroundAlpha(0);
-  vtkNew<vtkLightKit> lights;
+  const auto lights = even_lights();
   lights->AddLightsToRenderer(renderer);
   aim_camera(*renderer, view);
   vtkNew<vtkRenderWindow> window;
@@ -186,9 +204,9 @@ Picture Scene::draw(const View& view, int width_pixels) const {
   return picture;
 }
 
-std::vector<std::string> field_colours() {
+std::vector<std::string> tone_colours(Tones tones) {
   std::vector<std::string> colours;
-  for (const auto& c : viridis) {
+  for (const vtkColor3ub& c : colours_of(tones)) {
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", c[0], c[1], c[2]);
     colours.emplace_back(text);

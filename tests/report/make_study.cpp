@@ -110,7 +110,7 @@ void write_solve(const fs::path& folder, const TetMesh& mesh, double stiffening)
   write_frames(folder, mesh, stiffening);
   write_text(folder / "history.csv", history_text(stiffening));
   const Json tool = {{"kind", "rod"}, {"radius_mm", tool_radius_mm}, {"aim_mm", first_contact}, {"axis", axis}, {"first_contact_mm", first_contact}};
-  write_json(folder / "summary.json", {{"law", folder.filename().string()}, {"tool", tool}, {"depth_mm", {{"asked", depth_mm}, {"reached", depth_mm}}}});
+  write_json(folder / "summary.json", {{"law", folder.filename().string()}, {"parameters", {{"mu", 0.00667}}}, {"smallest_J", 0.98}, {"tool", tool}, {"depth_mm", {{"asked", depth_mm}, {"reached", depth_mm}}}});
   write_card(folder, "solve", Json::array({check("depth reached", depth_mm, "≥ 4 mm", true)}), Json::object());
 }
 
