@@ -124,14 +124,16 @@ Drawings draw_study(const Study& study, const std::function<void(const std::stri
     drawings.stress_scale_mpa = std::max(drawings.stress_scale_mpa, frame.stress_scale_mpa);
   }
   const double displacement_top = std::max(drawings.displacement_scale_mm, 1e-12), stress_top = std::max(drawings.stress_scale_mpa, 1e-12);
+  const Surface surface = study.surface.empty() ? Surface{} : read_surface(study.surface);  // all files before the first picture
+  const TetMesh mesh = study.mesh.empty() ? TetMesh{} : read_mesh(study.mesh);
   const PrivateDisplay display;
-  if (!study.surface.empty()) {
+  if (!surface.triangles.empty()) {
     tell("surface");
-    drawings.surface = surface_pictures(read_surface(study.surface));
+    drawings.surface = surface_pictures(surface);
   }
-  if (!study.mesh.empty()) {
+  if (!mesh.tets.empty()) {
     tell("mesh");
-    drawings.mesh = mesh_pictures(read_mesh(study.mesh));
+    drawings.mesh = mesh_pictures(mesh);
   }
   for (LoadedFrame& frame : frames) {
     tell(frame.drawing.solve);

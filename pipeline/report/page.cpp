@@ -5,8 +5,6 @@
 #include <set>
 #include <string_view>
 
-#include <palpate/errors.hpp>
-#include <palpate/text_file.hpp>
 #include <pipeline/report/facts.hpp>
 #include <pipeline/report/html.hpp>
 
@@ -62,13 +60,10 @@ std::string head_html(const Study& study) {
 }
 
 std::string sheet_html(const Study& study) {
-  if (study.sheet.empty()) return "";
-  const std::string png = read_text(study.sheet);
-  if (!png.starts_with("\x89PNG\r\n\x1a\n") || png.find("IEND", png.size() < 12 ? 0 : png.size() - 12) == std::string::npos)
-    throw Failure(ExitCode::unreadable, "not a PNG picture, or cut short", study.sheet.string(), "run palpate-segment again");
+  if (study.sheet_png.empty()) return "";
   return "<p>Slices of the scan with the contour of the labels drawn: does the line follow the organ?</p>\n"
          "<figure class=\"sheet\"><img alt=\"Contact sheet: slices of the scan with the contour of the labels\" src=\"data:image/png;base64," +
-         base64(png) + "\"></figure>\n" + notes_html(study, "palpate-segment", "Labels in numbers", {});
+         base64(study.sheet_png) + "\"></figure>\n" + notes_html(study, "palpate-segment", "Labels in numbers", {});
 }
 
 std::string pictures_html(const std::vector<NamedPicture>& pictures, const std::string& what, const std::string& css_class) {

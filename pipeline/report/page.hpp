@@ -8,7 +8,7 @@
 
 namespace palpate {
 
-/// The whole file. Reads the study's sheet of slices; throws Failure(unreadable) when it is not a PNG.
+/// The whole file.
 std::string page_html(const Study& study, const Drawings& drawings);
 
 }  // namespace palpate

@@ -110,6 +110,15 @@ fs::path known_file(Study& study, const fs::path& path) {
   return path;
 }
 
+/// A PNG's bytes; its ends are looked at, so that a broken picture is not shown.
+std::string read_sheet(Study& study, const fs::path& path) {
+  if (known_file(study, path).empty()) return "";
+  const std::string png = read_text(path);
+  if (!png.starts_with("\x89PNG\r\n\x1a\n") || png.find("IEND", std::max<std::size_t>(png.size(), 12) - 12) == std::string::npos)
+    damaged(path, "not a PNG picture, or cut short");
+  return png;
+}
+
 bool is_solve(const fs::path& output) { return fs::is_regular_file(output / "history.csv"); }
 
 }  // namespace
@@ -124,12 +133,12 @@ Study read_study(const fs::path& folder) {
     if (!listed && fs::exists(usual.second)) stages.push_back(usual);
   }
   for (const auto& [name, output] : stages) study.stages.push_back(read_stage(study, name, output));
-  study.sheet = known_file(study, folder / "labels.sheet.png");
+  study.sheet_png = read_sheet(study, folder / "labels.sheet.png");
   study.surface = known_file(study, folder / "surface.vtp");
   study.mesh = known_file(study, folder / "mesh.vtu");
   for (const auto& stage : study.stages)
     if (is_solve(stage.output)) study.solves.push_back(read_solve(study, stage.output));
-  if (study.sheet.empty() && study.surface.empty() && study.mesh.empty() && study.solves.empty())
+  if (study.sheet_png.empty() && study.surface.empty() && study.mesh.empty() && study.solves.empty())
     throw Failure(ExitCode::unreadable, "nothing to show: no labels.sheet.png, surface.vtp, mesh.vtu or solve/*/history.csv",
                   folder.string(), "give the folder that palpate run made");
   if (study.title.empty()) study.title = fs::absolute(folder).lexically_normal().filename().string();

@@ -32,7 +32,8 @@ struct Solve {
 struct Study {
   std::string title;
   std::vector<Stage> stages;  ///< in the order of the chain
-  std::filesystem::path sheet, surface, mesh;  ///< empty when absent
+  std::string sheet_png;                       ///< the bytes of labels.sheet.png; empty when absent
+  std::filesystem::path surface, mesh;         ///< empty when absent
   std::vector<Solve> solves;
   std::vector<std::filesystem::path> files_read;  ///< every file that was opened, or will be shown, in a fixed order
 };

@@ -29,7 +29,7 @@ void run(Command& c) {
   const std::string html = page_html(study, drawings);
   write_text(c.output("page"), html);
   c.note("result", result_sentence(study));
-  c.note("pictures", drawings.surface.size() + drawings.mesh.size() + (study.sheet.empty() ? 0 : 1));
+  c.note("pictures", drawings.surface.size() + drawings.mesh.size() + (study.sheet_png.empty() ? 0 : 1));
   c.note("solves", study.solves.size());
   c.note("bytes", html.size());
 }
