@@ -1,5 +1,6 @@
 // What is written is read back: NIfTI, meshes, cards' hashes.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <fstream>
 
 #include <palpate/card.hpp>
@@ -103,6 +104,19 @@ TEST_F(Files, FullDiskIsTold) {  // /dev/full takes nothing
 TEST_F(Files, TextThatIsNotUtf8DoesNotStopACard) {
   write_json(folder / "card.json", {{"series", "caf\xe9"}});
   EXPECT_EQ(read_json(folder / "card.json").at("series"), "caf\uFFFD");
+}
+
+TEST_F(Files, SpoiltMeshIsRefused) {
+  TetMesh mesh;
+  for (int i = 0; i < 400; ++i) mesh.points.push_back({std::sin(1.0 * i), std::cos(2.0 * i), 0.1 * i});
+  for (int i = 0; i + 3 < 400; ++i) mesh.tets.push_back({i, i + 1, i + 2, i + 3});
+  mesh.tet_region.assign(mesh.tets.size(), 1);
+  write_mesh(folder / "m.vtu", mesh);
+  std::string bytes = read_text(folder / "m.vtu");
+  EXPECT_EQ(read_mesh(folder / "m.vtu").tets.size(), mesh.tets.size());
+  bytes.replace(bytes.size() * 6 / 10, 40, std::string(40, 'x'));
+  write_text(folder / "spoilt.vtu", bytes);
+  EXPECT_THROW(read_mesh(folder / "spoilt.vtu"), Failure);
 }
 
 TEST_F(Files, MeshKeepsCellsRegionsAndFields) {
