@@ -18,6 +18,46 @@ double segment_distance(const Vec3& x, const Vec3& a, const Vec3& b) {
   return norm(x - (a + t * ab));
 }
 
+struct Segment {
+  Vec3 start, along;
+  double inverse_length2;
+};
+
+/// A few segments of a polyline and a ball around them, to pass over them where they are far.
+struct Run {
+  std::vector<Segment> segments;
+  Vec3 centre;
+  double radius;
+
+  /// Square of the distance from x to the nearest of the segments.
+  double distance2(const Vec3& x) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Segment& s : segments) {
+      const Vec3 d = x - s.start;
+      const double t = std::clamp(dot(d, s.along) * s.inverse_length2, 0.0, 1.0);
+      const Vec3 gap = d - t * s.along;
+      nearest = std::min(nearest, dot(gap, gap));
+    }
+    return nearest;
+  }
+};
+
+std::vector<Run> runs_of(const std::vector<Vec3>& points) {
+  constexpr std::size_t length = 8;
+  std::vector<Run> runs;
+  for (std::size_t first = 0; first + 1 < points.size(); first += length) {
+    const std::size_t last = std::min(first + length, points.size() - 1);
+    Run run{{}, 0.5 * (points[first] + points[last]), 0};
+    for (std::size_t i = first; i <= last; ++i) run.radius = std::max(run.radius, norm(points[i] - run.centre));
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3 along = points[i + 1] - points[i];
+      run.segments.push_back({points[i], along, 1 / std::max(dot(along, along), 1e-300)});
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
 /// Quadratic polynomial minimum: min(a, b) − (w − |a − b|)²/(4 w) where |a − b| < w. Its gradient is a convex combination.
 double smooth_min(double a, double b, double width) {
   const double h = std::max(width - std::abs(a - b), 0.0);
@@ -59,11 +99,17 @@ Implicit arc_tube(const Vec3& centre, double arc_radius, double half_angle, doub
   };
 }
 
-Implicit polyline_tube(std::vector<Vec3> points, double radius) {
+Implicit polyline_tube(const std::vector<Vec3>& points, double radius) {
   assert(points.size() >= 2);
-  return [points = std::move(points), radius](const Vec3& x) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < points.size(); ++i) nearest = std::min(nearest, segment_distance(x, points[i - 1], points[i]));
+  return [runs = runs_of(points), radius](const Vec3& x) {
+    const auto at_least = [&](const Run& run) { return norm(x - run.centre) - run.radius; };
+    const Run* likely = &runs.front();
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Run& run : runs)
+      if (const double bound = at_least(run); bound < lowest) lowest = bound, likely = &run;
+    double nearest = std::sqrt(likely->distance2(x));
+    for (const Run& run : runs)
+      if (&run != likely && at_least(run) < nearest) nearest = std::min(nearest, std::sqrt(run.distance2(x)));
     return nearest - radius;
   };
 }

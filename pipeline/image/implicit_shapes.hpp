@@ -25,7 +25,7 @@ Implicit round_cone(const Vec3& a, double ra, const Vec3& b, double rb);
 /// All points within `radius` of the circular arc centre + R (cos θ, 0, sin θ), |θ| ≤ half_angle ≤ π (π: a torus).
 Implicit arc_tube(const Vec3& centre, double arc_radius, double half_angle, double radius);
 /// All points within `radius` of the polyline.
-Implicit polyline_tube(std::vector<Vec3> points, double radius);
+Implicit polyline_tube(const std::vector<Vec3>& points, double radius);
 
 /// min(a, b) with the crease filled over `width` (quadratic polynomial minimum; Quilez 2013). `width` 0: sharp.
 Implicit smooth_union(Implicit a, Implicit b, double width);

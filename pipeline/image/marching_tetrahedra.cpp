@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include <pipeline/image/slices_in_parallel.hpp>
+
 namespace palpate {
 namespace {
 
@@ -31,20 +33,21 @@ Lattice lattice_over(const Box& box, double edge) {
 }
 
 /// Signs at all nodes. As |∇f| ≤ 1, a value f spares the next |f| / edge nodes of the row.
-void fill_signs(Lattice& lattice, const Implicit& f) {
+void fill_signs(Lattice& lattice, const Implicit& f, int threads) {
   lattice.sign.resize(std::size_t(lattice.size[0]) * lattice.size[1] * lattice.size[2]);
-  for (int k = 0; k < lattice.size[2]; ++k)
+  slices_in_parallel(lattice.size[2], threads, [&](int k) {
     for (int j = 0; j < lattice.size[1]; ++j)
       for (int i = 0; i < lattice.size[0];) {
         const double value = f(lattice.position({i, j, k}));
         const int stop = std::min(lattice.size[0], i + 1 + static_cast<int>(std::abs(value) / lattice.edge));
         for (; i < stop; ++i) lattice.sign[lattice.at({i, j, k})] = value < 0 ? -1 : 1;
       }
+  });
 }
 
 class Contourer {
  public:
-  Contourer(const Implicit& f, const Lattice& lattice) : f_(f), lattice_(lattice) {}
+  explicit Contourer(const Lattice& lattice) : lattice_(lattice) {}
 
   void cell(const Node& corner) {
     std::array<Node, 8> nodes;
@@ -59,7 +62,10 @@ class Contourer {
     for (const auto& t : tetrahedra) tetrahedron(nodes, inside, t);
   }
 
-  TriangleSoup result;
+  using Edge = std::array<Node, 2>;  ///< from the inner to the outer node
+
+  std::vector<Edge> crossings;  ///< one per vertex
+  std::vector<std::array<int, 3>> triangles;
 
  private:
   void tetrahedron(const std::array<Node, 8>& nodes, const std::array<bool, 8>& inside, const int (&corners)[4]) {
@@ -73,8 +79,6 @@ class Contourer {
     }
   }
 
-  using Edge = std::array<Node, 2>;  ///< from the inner to the outer node
-
   void triangle(const std::vector<Node>& in, const std::vector<Node>& out, const std::array<Edge, 3>& edges) {
     std::array<int, 3> t;
     std::array<Vec3, 3> middle;
@@ -84,7 +88,7 @@ class Contourer {
     }
     const Vec3 outward = mean(out) - mean(in);
     if (dot(cross(middle[1] - middle[0], middle[2] - middle[0]), outward) < 0) std::swap(t[1], t[2]);
-    result.triangles.push_back(t);
+    triangles.push_back(t);
   }
 
   Vec3 mean(const std::vector<Node>& nodes) const {
@@ -93,19 +97,10 @@ class Contourer {
     return (1.0 / nodes.size()) * sum;
   }
 
-  /// The crossing of a lattice edge: bisection keeps to its middle 70 % (so that no two vertices meet), Newton does the rest.
   int vertex(const Edge& e) {
-    const std::size_t a = lattice_.at(e[0]), b = lattice_.at(e[1]);
-    const std::uint64_t key = std::uint64_t(std::min(a, b)) * 8 + direction(e);
-    const auto [found, is_new] = vertices_.try_emplace(key, static_cast<int>(result.points.size()));
-    if (!is_new) return found->second;
-    const Vec3 p = lattice_.position(e[0]), d = lattice_.position(e[1]) - p;
-    double low = 0, high = 1;
-    for (int step = 0; step < 8; ++step) {
-      const double t = 0.5 * (low + high);
-      (f_(p + t * d) < 0 ? low : high) = t;
-    }
-    result.points.push_back(project_to_zero(f_, p + std::clamp(0.5 * (low + high), 0.15, 0.85) * d, lattice_.edge));
+    const std::uint64_t key = std::uint64_t(std::min(lattice_.at(e[0]), lattice_.at(e[1]))) * 8 + direction(e);
+    const auto [found, is_new] = vertices_.try_emplace(key, static_cast<int>(crossings.size()));
+    if (is_new) crossings.push_back(e);
     return found->second;
   }
 
@@ -116,21 +111,38 @@ class Contourer {
     return bits;
   }
 
-  const Implicit& f_;
   const Lattice& lattice_;
   std::unordered_map<std::uint64_t, int> vertices_;
 };
 
+/// Where f = 0 crosses a lattice edge: bisection keeps to its middle 70 % (so that no two vertices meet), Newton does the rest.
+Vec3 crossing_point(const Implicit& f, const Vec3& inside, const Vec3& outside_point, double reach) {
+  const Vec3 d = outside_point - inside;
+  double low = 0, high = 1;
+  for (int step = 0; step < 5; ++step) {
+    const double t = 0.5 * (low + high);
+    (f(inside + t * d) < 0 ? low : high) = t;
+  }
+  return project_to_zero(f, inside + std::clamp(0.5 * (low + high), 0.15, 0.85) * d, reach);
+}
+
 }  // namespace
 
-TriangleSoup contour(const Implicit& f, const Box& box, double edge_mm) {
+TriangleSoup contour(const Implicit& f, const Box& box, double edge_mm, int threads) {
   Lattice lattice = lattice_over(box, edge_mm);
-  fill_signs(lattice, f);
-  Contourer contourer(f, lattice);
+  fill_signs(lattice, f, threads);
+  Contourer contourer(lattice);
   for (int k = 0; k + 1 < lattice.size[2]; ++k)
     for (int j = 0; j + 1 < lattice.size[1]; ++j)
       for (int i = 0; i + 1 < lattice.size[0]; ++i) contourer.cell({i, j, k});
-  return std::move(contourer.result);
+  TriangleSoup result{{}, std::move(contourer.triangles)};
+  result.points.resize(contourer.crossings.size());
+  constexpr int block = 1024;
+  slices_in_parallel(static_cast<int>(result.points.size() / block) + 1, threads, [&](int b) {
+    for (std::size_t v = std::size_t(b) * block; v < std::min(result.points.size(), std::size_t(b + 1) * block); ++v)
+      result.points[v] = crossing_point(f, lattice.position(contourer.crossings[v][0]), lattice.position(contourer.crossings[v][1]), edge_mm);
+  });
+  return result;
 }
 
 double area_mm2(const TriangleSoup& s) {

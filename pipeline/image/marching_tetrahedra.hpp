@@ -15,7 +15,7 @@ struct TriangleSoup {
 
 /// Contours f = 0 on a lattice of `edge_mm` over the box (and a little more); vertices are then moved onto f = 0 by Newton's method.
 /// Lattice cells are split into six tetrahedra (Kuhn 1960), so the result is closed and manifold by construction.
-TriangleSoup contour(const Implicit& f, const Box& box, double edge_mm);
+TriangleSoup contour(const Implicit& f, const Box& box, double edge_mm, int threads);
 
 double area_mm2(const TriangleSoup& s);
 /// ⅙ Σ a · (b × c): positive when the triangles face outwards.

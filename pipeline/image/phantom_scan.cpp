@@ -17,23 +17,23 @@ struct Samples {
   int total = 0;
 };
 
-/// True when no boundary of the organ or of its parts comes within `radius` of x.
-bool is_pure(const Organ& organ, const Vec3& x, double radius) {
+/// No boundary of the organ, nor inside it of its parts, is nearer to x than this.
+double clearance(const Organ& organ, const Vec3& x) {
   const double f = organ.shape(x);
-  if (std::abs(f) <= radius) return false;
-  if (f > 0) return true;
-  return std::none_of(organ.parts.begin(), organ.parts.end() - 1, [&](const OrganPart& p) { return std::abs(p.shape(x)) <= radius; });
+  double nearest = std::abs(f);
+  for (std::size_t p = 0; f <= 0 && p + 1 < organ.parts.size(); ++p) nearest = std::min(nearest, std::abs(organ.parts[p].shape(x)));
+  return nearest;
 }
 
-/// The slab a voxel averages over: its edges along rows and columns, the slice thickness across.
-Samples sample(const Organ& organ, const Affine& slab, const Vec3& centre, int per_edge) {
-  const double radius = 0.5 * (norm(slab.columns[0]) + norm(slab.columns[1]) + norm(slab.columns[2]));
+double half_diagonal(const Affine& cell) { return 0.5 * (norm(cell.columns[0]) + norm(cell.columns[1]) + norm(cell.columns[2])); }
+
+/// Samples of the parallelepiped `cell` moved to `centre`.
+Samples sample(const Organ& organ, const Affine& cell, const Vec3& centre, int per_edge) {
   Samples s{std::vector<int>(organ.parts.size(), 0), 0};
-  const int n = is_pure(organ, centre, radius) ? 1 : per_edge;
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        const int part = part_at(organ, centre + slab.linear({(i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5, (k + 0.5) / n - 0.5}));
+  for (int k = 0; k < per_edge; ++k)
+    for (int j = 0; j < per_edge; ++j)
+      for (int i = 0; i < per_edge; ++i) {
+        const int part = part_at(organ, centre + cell.linear({(i + 0.5) / per_edge - 0.5, (j + 0.5) / per_edge - 0.5, (k + 0.5) / per_edge - 0.5}));
         if (part != outside) ++s.in_part[part];
         ++s.total;
       }
@@ -72,21 +72,29 @@ PhantomImages render(const PhantomSpec& spec, std::uint64_t seed, int threads) {
   images.scan = {grid, std::vector<std::uint16_t>(grid.count())};
   images.organ = images.parts = {grid, std::vector<std::uint16_t>(grid.count())};
   const Affine& cell = grid.lps_from_voxel;
-  Affine slab = cell;
+  Affine slab = cell;  // what a voxel averages over: its edges along rows and columns, the slice thickness across
   slab.columns[2] = spec.scan.slice_thickness_mm * unit(slab.columns[2]);
   const bool slices_touch = spec.scan.slice_thickness_mm == spec.scan.voxel_mm[2];
+  const double radius = std::max(half_diagonal(slab), half_diagonal(cell)), step = norm(cell.columns[0]);
   const double sigma = spec.scan.noise * spec.organ.parts.back().intensity;
   slices_in_parallel(grid.size[2], threads, [&](int k) {
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i) {
+    for (int j = 0; j < grid.size[1]; ++j) {
+      Samples s, pure;
+      for (int i = 0, pure_until = -1; i < grid.size[0]; ++i) {
         const std::size_t v = grid.at(i, j, k);
-        const Vec3 centre = grid.lps_from_voxel({double(i), double(j), double(k)});
-        const Samples s = sample(spec.organ, slab, centre, spec.scan.supersampling);
+        const Vec3 centre = cell({double(i), double(j), double(k)});
+        if (i > pure_until) {  // how far along the row is all the same tissue?
+          pure_until = i + static_cast<int>(std::floor((clearance(spec.organ, centre) - radius) / step));
+          if (i <= pure_until) pure = sample(spec.organ, cell, centre, 1);
+        }
+        s = i <= pure_until ? pure : sample(spec.organ, slab, centre, spec.scan.supersampling);
         const Vec3 u{(i + 0.5) / grid.size[0] - 0.5, (j + 0.5) / grid.size[1] - 0.5, (k + 0.5) / grid.size[2] - 0.5};
         const double signal = mean_intensity(spec.organ, s, spec.scan.background) * (1 + spec.scan.bias * coil_field(u));
         images.scan.voxels[v] = static_cast<std::uint16_t>(std::clamp(std::round(rician(signal, sigma, seed, v)), 0.0, 65535.0));
-        label(images, v, spec.organ, slices_touch ? s : sample(spec.organ, cell, centre, spec.scan.supersampling));
+        if (!slices_touch && i > pure_until) s = sample(spec.organ, cell, centre, spec.scan.supersampling);
+        label(images, v, spec.organ, s);
       }
+    }
   });
   return images;
 }

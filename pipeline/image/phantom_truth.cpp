@@ -3,8 +3,10 @@
 #include <pipeline/image/phantom_truth.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include <pipeline/image/marching_tetrahedra.hpp>
+#include <pipeline/image/slices_in_parallel.hpp>
 
 namespace palpate {
 namespace {
@@ -28,7 +30,7 @@ void add_cell(const Implicit& f, const Vec3& centre, const Vec3& edges, int dept
   m.centroid_mm = m.centroid_mm + inside * centre;
 }
 
-constexpr int fine = 9;  // cells of 1/512 of the box: 0.2 mm for a kidney
+constexpr int fine = 8;  // cells of 1/256 of the box: 0.4 mm for a kidney, the volume to 1e-4
 
 double diagonal(const Box& box) { return norm(box.max - box.min); }
 
@@ -52,9 +54,19 @@ Json press_facts(const Organ& organ) {
 
 }  // namespace
 
-Moments integrate(const Implicit& f, const Box& box, int depth) {
+Moments integrate(const Implicit& f, const Box& box, int depth, int threads) {
+  constexpr int n = 4;  // 4³ cells of the second level, each by one thread, added in order
+  std::array<Moments, n * n * n> shares;
+  const Vec3 edges = (1.0 / n) * (box.max - box.min);
+  slices_in_parallel(n * n * n, threads, [&](int s) {
+    const Vec3 index{s % n + 0.5, s / n % n + 0.5, s / (n * n) + 0.5};
+    add_cell(f, box.min + Vec3{index[0] * edges[0], index[1] * edges[1], index[2] * edges[2]}, edges, depth - 2, shares[s]);
+  });
   Moments m;
-  add_cell(f, 0.5 * (box.min + box.max), box.max - box.min, depth, m);
+  for (const Moments& share : shares) {
+    m.volume_mm3 += share.volume_mm3;
+    m.centroid_mm = m.centroid_mm + share.centroid_mm;
+  }
   if (m.volume_mm3 > 0) m.centroid_mm = (1 / m.volume_mm3) * m.centroid_mm;
   return m;
 }
@@ -66,8 +78,8 @@ Implicit part_alone(const Organ& organ, int index) {
   return alone;
 }
 
-Surface truth_surface(const Organ& organ) {
-  TriangleSoup soup = contour(organ.shape, organ.box, diagonal(organ.box) / 180);
+Surface truth_surface(const Organ& organ, int threads) {
+  TriangleSoup soup = contour(organ.shape, organ.box, diagonal(organ.box) / 180, threads);
   Surface surface;
   surface.points = std::move(soup.points);
   surface.triangles = std::move(soup.triangles);
@@ -76,14 +88,14 @@ Surface truth_surface(const Organ& organ) {
   return surface;
 }
 
-Json truth_facts(const PhantomSpec& spec, const Grid& grid, const Surface& surface) {
+Json truth_facts(const PhantomSpec& spec, const Grid& grid, const Surface& surface, int threads) {
   const Organ& organ = spec.organ;
-  const Moments whole = integrate(organ.shape, organ.box, fine), coarse = integrate(organ.shape, organ.box, fine - 1);
+  const Moments whole = integrate(organ.shape, organ.box, fine, threads), coarse = integrate(organ.shape, organ.box, fine - 1, threads);
   Json parts = Json::array();
   for (int p = 0; p < static_cast<int>(organ.parts.size()); ++p)
     parts.push_back({{"name", organ.parts[p].name},
                      {"label", organ.parts[p].label},
-                     {"volume_mm3", integrate(part_alone(organ, p), organ.box, fine - 1).volume_mm3},
+                     {"volume_mm3", integrate(part_alone(organ, p), organ.box, fine - 1, threads).volume_mm3},
                      {"intensity", organ.parts[p].intensity}});
   return {{"schema", "palpate-truth/1"},
           {"title", spec.title},

@@ -12,16 +12,16 @@ struct Moments {
   Vec3 centroid_mm{0, 0, 0};
 };
 
-/// ∫ over f < 0 by halving cells of the box `depth` times where f = 0 may pass. Error falls with 4^−depth.
-Moments integrate(const Implicit& f, const Box& box, int depth);
+/// ∫ over f < 0 by halving cells of the box `depth` times where f = 0 may pass. Error falls with 4^−depth; depth ≥ 2.
+Moments integrate(const Implicit& f, const Box& box, int depth, int threads);
 
 /// The part `index` alone: inside the organ and outside the parts before it.
 Implicit part_alone(const Organ& organ, int index);
 
 /// The organ's boundary, region 1, triangles about 1/180 of the box's diagonal.
-Surface truth_surface(const Organ& organ);
+Surface truth_surface(const Organ& organ, int threads);
 
 /// Volumes with error estimate, area, box, centroid, seed, and where a tool along the organ's thickness enters and leaves.
-Json truth_facts(const PhantomSpec& spec, const Grid& grid, const Surface& surface);
+Json truth_facts(const PhantomSpec& spec, const Grid& grid, const Surface& surface, int threads);
 
 }  // namespace palpate

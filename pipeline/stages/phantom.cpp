@@ -41,8 +41,8 @@ void run(palpate::Command& c) {
   progress.update(2, "series");
 
   const auto truth = c.output("truth");
-  const Surface surface = truth_surface(spec.organ);
-  const Json facts = truth_facts(spec, images.scan.grid, surface);
+  const Surface surface = truth_surface(spec.organ, c.threads());
+  const Json facts = truth_facts(spec, images.scan.grid, surface, c.threads());
   write_labels(truth / "labels.nii.gz", images.organ);
   write_labels(truth / "parts.nii.gz", images.parts);
   write_surface(truth / "surface.vtp", surface);
