@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include <palpate/errors.hpp>
+#include <pipeline/image/guarded.hpp>
 
 namespace palpate {
 namespace fs = std::filesystem;
@@ -47,6 +48,12 @@ std::string counts(const DicomFolder& folder) {
 DicomFolder scan_dicom_folder(const fs::path& path) {
   const auto files = files_below(path);
   if (files.empty()) throw Failure(ExitCode::unreadable, "the folder is empty", path.string(), "a folder with the DICOM files of a scan");
+  run_guarded([&](const NowReading& now_reading) {  // a rehearsal: a damaged file may end the process
+    for (const fs::path& file : files) {
+      now_reading(file.string());
+      read_dicom_header(file);
+    }
+  });
   DicomFolder folder;
   std::map<SeriesName, DicomSeries> by_name;
   for (const fs::path& file : files) {

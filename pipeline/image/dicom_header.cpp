@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pipeline/image/dicom_header.hpp>
 
+#include <gdcmMediaStorage.h>
 #include <gdcmReader.h>
 #include <gdcmSequenceOfItems.h>
 
@@ -9,6 +10,7 @@
 
 #include <palpate/errors.hpp>
 #include <pipeline/image/dicom_values.hpp>
+#include <pipeline/image/quiet_stderr.hpp>
 #include <pipeline/image/watched_file.hpp>
 
 namespace palpate {
@@ -30,6 +32,13 @@ bool has_dicom_magic(const std::filesystem::path& path) {
 bool is_derived_object(const std::string& sop_class) {
   return sop_class.starts_with("1.2.840.10008.5.1.4.1.1.66.") || sop_class == "1.2.840.10008.5.1.4.1.1.30" ||
          sop_class == "1.2.840.10008.5.1.4.1.1.481.2";
+}
+
+/// By its class, of the data set or of the file's head; where there is none, by its modality.
+bool should_have_pixels(const gdcm::File& file, const std::string& modality) {
+  gdcm::MediaStorage storage;
+  if (storage.SetFromFile(file)) return gdcm::MediaStorage::IsImage(storage);
+  return modality == "CT" || modality == "MR" || modality == "PT" || modality == "NM" || modality == "US";
 }
 
 /// Looks where a frame's facts may be: its own functional group, the shared one, the file's top level.
@@ -119,6 +128,7 @@ std::string DicomFrame::name() const {
 
 std::optional<DicomHeader> read_dicom_header(const std::filesystem::path& path) {
   silence_gdcm();
+  const QuietStderr quiet;
   const bool magic = has_dicom_magic(path);
   WatchedFile file(path);
   gdcm::Reader reader;
@@ -138,7 +148,11 @@ std::optional<DicomHeader> read_dicom_header(const std::filesystem::path& path) 
   header.sop_class = text_value(data, Tag(0x0008, 0x0016));
   header.series = {text_value(data, Tag(0x0020, 0x000e)), text_value(data, Tag(0x0020, 0x0011)), text_value(data, Tag(0x0008, 0x103e)),
                    text_value(data, Tag(0x0008, 0x0060)), text_value(data, Tag(0x0020, 0x000d)), text_value(data, Tag(0x0018, 0x0015))};
-  if (!is_derived_object(header.sop_class)) header.frames = read_frames(data, path);
+  if (is_derived_object(header.sop_class)) return header;
+  const bool has_pixels = data.FindDataElement(Tag(0x7fe0, 0x0010));
+  if (!has_pixels && should_have_pixels(reader.GetFile(), header.series.modality))
+    throw Failure(ExitCode::unreadable, "an image without pixel data: truncated?", path.string(), "copy it again from its source, or move it out of the folder");
+  if (has_pixels) header.frames = read_frames(data, path);
   return header;
 }
 
