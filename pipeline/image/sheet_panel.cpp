@@ -107,7 +107,7 @@ void draw_ticks(cv::Mat& picture, const Panel& panel) {
     for_each_tick(left, step, p.height, [&](int along, const std::string& text) {
       ink::fill(picture, {p.x, p.y + along, 5, 1}, faint);
       if (std::abs(along - p.height / 2) > 16 && along > 32 && along < p.height - 24)
-        ink::write(picture, text, p.x + 8, p.y + along + tick_height / 2, tick_height, faint);
+        ink::write(picture, text, p.x + 12, p.y + along + tick_height / 2, tick_height, faint);
     });
 }
 

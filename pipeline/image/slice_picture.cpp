@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pipeline/image/slice_picture.hpp>
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace palpate {
@@ -34,16 +35,31 @@ cv::Mat windowed(const cv::Mat& slice, cv::Size size, const Window& window) {
   return picture;
 }
 
-/// Contour points in eighths of a picture's pixel, as cv::polylines with shift 3 takes them.
+constexpr int fine = 4;                                  // contour cells per pixel
+constexpr double line_pixels = 1.8, shade_pixels = 3.4;  // widths of the line and of the shade around it
+constexpr double shade_opacity = 0.45;
+
 std::vector<std::vector<cv::Point>> contours_of(const cv::Mat& mask, cv::Size size) {
-  constexpr int fine = 4;  // contour cells per pixel
   cv::Mat level;
   cv::resize(mask, level, size * fine, 0, 0, cv::INTER_LINEAR);
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(cv::Mat(level > 0.5f), contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
-  for (auto& contour : contours)
-    for (auto& point : contour) point = point * 2 - cv::Point(3, 3);  // cell centre (c + 1/2)/4 − 1/2 pixel, times 8
   return contours;
+}
+
+/// Draws lines through contour cells over the picture; a pixel takes as much colour as the line covers of it.
+void draw_lines(cv::Mat& picture, const std::vector<std::vector<cv::Point>>& contours, double pixels, const ink::Colour& colour,
+                double opacity) {
+  cv::Mat cells = cv::Mat::zeros(picture.size() * fine, CV_8U), coverage, weight;
+  cv::polylines(cells, contours, true, 255, static_cast<int>(std::lround(pixels * fine)));
+  cv::resize(cells, coverage, picture.size(), 0, 0, cv::INTER_AREA);
+  coverage.convertTo(weight, CV_32F, opacity / 255);
+  const cv::Vec3f paint(static_cast<float>(colour.blue), static_cast<float>(colour.green), static_cast<float>(colour.red));
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x) {
+      auto& pixel = picture.at<cv::Vec3b>(y, x);
+      pixel = cv::Vec3b(cv::Vec3f(pixel) + weight.at<float>(y, x) * (paint - cv::Vec3f(pixel)));
+    }
 }
 
 }  // namespace
@@ -63,8 +79,8 @@ cv::Mat slice_picture(const Scan& scan, const Mask& mask, const SliceView& view,
   const cv::Size size(width, height);
   cv::Mat picture = windowed(slice_of(scan, view, n, crop), size, window);
   const auto contours = contours_of(slice_of(mask, view, n, crop), size);
-  cv::polylines(picture, contours, true, {0, 0, 0}, 3, cv::LINE_AA, 3);
-  cv::polylines(picture, contours, true, {colour.blue, colour.green, colour.red}, 1, cv::LINE_AA, 3);
+  draw_lines(picture, contours, shade_pixels, {0, 0, 0}, shade_opacity);
+  draw_lines(picture, contours, line_pixels, colour, 1);
   return picture;
 }
 
