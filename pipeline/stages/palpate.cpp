@@ -78,10 +78,15 @@ void run_of_list(Command& c) {
 int become_stage(const std::string& word, const std::vector<std::string>& arguments) {
   const Programs programs(own_folder());
   if (programs.has(word)) become_process(programs.path(word), arguments);
-  std::vector<std::string> known = programs.stages();
-  known.insert(known.end(), {"run", "list", "--help", "--version", "--describe", "--xml", "--catalogue"});
-  throw Failure(ExitCode::misuse, std::string("unknown ") + (word.starts_with("-") ? "option: " : "command: ") + word, "",
-                "did you mean " + nearest_name(word, known) + "?");
+  const bool is_option = word.starts_with("-");
+  std::vector<std::string> known = {"--help", "--version", "--describe", "--xml", "--catalogue"};
+  for (const OptionSpec& option : common_options()) known.push_back("--" + option.name);
+  if (!is_option) {
+    known = programs.stages();
+    known.insert(known.end(), {"run", "list"});
+  }
+  throw Failure(ExitCode::misuse, (is_option ? "unknown option before a command: " : "unknown command: ") + word, "",
+                "did you mean " + nearest_name(word, known) + "? palpate --help lists the commands");
 }
 
 }  // namespace
