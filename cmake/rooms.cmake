@@ -11,6 +11,7 @@ function(palpate_room name)
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   add_library(palpate_${name} STATIC ${sources})
   target_link_libraries(palpate_${name} PUBLIC palpate_words palpate_flags PRIVATE ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY PALPATE_ROOMS ${name})
 endfunction()
 
 # palpate_program(<file>.cpp [<library>...]): the executable palpate-<file>. palpate.cpp is a group of commands with a main() of its own.

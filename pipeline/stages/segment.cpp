@@ -136,7 +136,7 @@ SheetText sheet_text(const Command& c, const LabelFacts& facts, const std::strin
 
 void usage(Usage& u) {
   u.name = "segment";
-  u.sentence = "finds the voxels of one organ in a scan and draws a contact sheet that shows whether they are right";
+  u.sentence = "Finds the voxels of one organ in a scan and draws a contact sheet that shows whether they are right.";
   u.details =
       "The scan is smoothed, a method chooses voxels within the box, opening cuts thin bridges, islands are kept or dropped, "
       "closing and filling mend "
