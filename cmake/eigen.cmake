@@ -1,3 +1,5 @@
-# Dense linear algebra. Homes: solver, loop.
+# Dense linear algebra.
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: Eigen/.*
+# Homes: solver loop
 find_package(Eigen3 REQUIRED)

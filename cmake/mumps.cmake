@@ -1,5 +1,7 @@
-# Sparse symmetric indefinite factorisation over a threaded BLAS. Home: solver/implicit (sparse_direct.cpp).
+# Sparse symmetric indefinite factorisation over a threaded BLAS.
 # SPDX-License-Identifier: GPL-3.0-or-later
+# Headers: dmumps_c\.h|cblas\.h
+# Homes: solver/implicit
 find_package(Threads REQUIRED)
 find_path(MUMPS_INCLUDE dmumps_c.h REQUIRED)
 find_library(MUMPS_LIBRARY dmumps_seq REQUIRED)

@@ -9,7 +9,7 @@ using namespace palpate;
 
 void usage(Usage& u) {
   u.name = "solve";
-  u.sentence = "presses an organ of tetrahedra with a rigid tool and writes force, depth and deformed shapes";
+  u.sentence = "Presses an organ of tetrahedra with a rigid tool and writes force, depth and deformed shapes.";
   u.details =
       "Implicit, quasi-static, incompressible or nearly so: the P1+/P1 mini-element, Newton's method with the consistent tangent, load\n"
       "steps that are halved when they fail. The tool moves along its axis from where it first touches the organ. The case names mesh,\n"
