@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,9 +37,19 @@ void keep(char (&target)[size], const std::string& text) {
   target[length] = '\0';
 }
 
+/// Ends this process when the next file takes it longer than that, in seconds of its processor.
+void limit_time() {
+  constexpr long seconds_per_file = 60;
+  const itimerval timer{{0, 0}, {seconds_per_file, 0}};
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
 void work_and_tell(const std::function<void(const NowReading&)>& work, LastWords& words) {
   try {
-    work([&](const std::string& path) { keep(words.file, path); });
+    work([&](const std::string& path) {
+      keep(words.file, path);
+      limit_time();
+    });
   } catch (const Failure& failure) {
     words.failed = true;
     words.code = failure.code();

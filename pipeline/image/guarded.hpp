@@ -15,7 +15,7 @@ std::shared_ptr<void> shared_bytes(std::size_t count);
 using NowReading = std::function<void(const std::string& path)>;
 
 /// Runs `work` in a child process; memory it writes is lost, except that of shared_bytes(). A Failure it throws is thrown here.
-/// Throws Failure(unreadable) naming the last file read when the child ends by a signal. Call it before any thread is started.
+/// Throws Failure(unreadable) naming the last file read when the child ends by a signal or hangs (60 s of processor time). Call it before any thread is started.
 void run_guarded(const std::function<void(const NowReading&)>& work);
 
 }  // namespace palpate

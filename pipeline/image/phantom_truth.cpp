@@ -11,7 +11,7 @@
 namespace palpate {
 namespace {
 
-/// Adds the cell's part inside. At the last level f stands for the distance of a plane: unbiased, for ½ − f / h is odd about f = 0.
+/// Adds the cell's part inside. At the last level f / |∇f| is the distance of a plane: unbiased, for ½ − f / h is odd about f = 0.
 void add_cell(const Implicit& f, const Vec3& centre, const Vec3& edges, int depth, Moments& m) {
   const double value = f(centre), half_diagonal = 0.5 * norm(edges);
   const bool pure = std::abs(value) >= half_diagonal;
@@ -25,7 +25,8 @@ void add_cell(const Implicit& f, const Vec3& centre, const Vec3& edges, int dept
     return;
   }
   const double h = std::cbrt(edges[0] * edges[1] * edges[2]);
-  const double inside = (pure ? 1.0 : std::clamp(0.5 - value / h, 0.0, 1.0)) * edges[0] * edges[1] * edges[2];
+  const double slope = pure ? 1.0 : std::max(norm(gradient(f, centre, 1e-3 * h)), 1e-3);
+  const double inside = (pure ? 1.0 : std::clamp(0.5 - value / slope / h, 0.0, 1.0)) * edges[0] * edges[1] * edges[2];
   m.volume_mm3 += inside;
   m.centroid_mm = m.centroid_mm + inside * centre;
 }
