@@ -111,11 +111,19 @@ TetMesh collect(const Surface& surface, const std::vector<Body>& bodies) {
   return mesh;
 }
 
+/// "…, intersection (2.9,-148.2,-1268.7)" → " (2.9,-148.2,-1268.7) mm"; empty when gmsh names no place.
+std::string place_in(const std::string& words) {
+  const std::string mark = "intersection (";
+  const auto start = words.find(mark), end = words.find(')', start == std::string::npos ? 0 : start);
+  if (start == std::string::npos || end == std::string::npos) return "";
+  return "near " + words.substr(start + mark.size() - 1, end - start - mark.size() + 2) + " mm";
+}
+
 [[noreturn]] void fail(const std::vector<std::string>& errors, const std::string& thrown) {
   std::string words;
   for (const auto& line : errors) words += (words.empty() ? "" : "; ") + line;
-  throw Failure(ExitCode::check_failed, "gmsh could not fill the surface: " + (words.empty() ? thrown : words), "",
-                "palpate-surface with more smoothing, or another --edge");
+  throw Failure(ExitCode::check_failed, "gmsh could not fill the surface: " + (words.empty() ? thrown : words), place_in(words),
+                "a finer --edge where the organ is thin, or palpate-surface with more smoothing");
 }
 
 }  // namespace

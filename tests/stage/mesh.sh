@@ -45,9 +45,18 @@ PY
 refused 4 "surface is open" open.vtp bad.vtu
 refused 4 "inside out" inside_out.vtp bad.vtu
 refused 4 "same region" doubled.vtp bad.vtu
-refused 4 "ntersect" crossing.vtp bad.vtu
+refused 4 "where: near (.*) mm" crossing.vtp bad.vtu
 refused 2 "too long" ball.vtp bad.vtu --edge 50
 refused 6 "million tetrahedra" ball.vtp bad.vtu --edge 0.01
 refused 2 "away from the surface" ball.vtp bad.vtu --focus 80,0,0
 refused 3 "" message bad.vtu
 refused 4 "dihedral" ball.vtp bad.vtu --min-dihedral 40
+
+# kill -9 leaves no mesh, and the next run nothing of the killed one
+"$bin/palpate-mesh" bean.vtp killed.vtu --quiet --edge=1.2 & running=$!
+sleep 0.3
+kill -KILL $running 2>/dev/null
+wait $running 2>/dev/null || true
+[ ! -e killed.vtu ] || { echo "killed, and yet there is a mesh"; exit 1; }
+"$bin/palpate-mesh" bean.vtp killed.vtu --quiet
+if ls .partial-* 2>/dev/null; then echo "the killed run's leftovers were not removed"; exit 1; fi
