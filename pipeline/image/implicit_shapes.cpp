@@ -92,10 +92,12 @@ Implicit round_cone(const Vec3& a, double ra, const Vec3& b, double rb) {
 
 Implicit arc_tube(const Vec3& centre, double arc_radius, double half_angle, double radius) {
   assert(half_angle >= 0 && half_angle <= std::numbers::pi);
+  const double cosine = std::cos(half_angle), sine = std::sin(half_angle);
   return [=](const Vec3& x) {
     const Vec3 d = x - centre;
-    const double theta = std::clamp(std::atan2(d[2], d[0]), -half_angle, half_angle);
-    return norm(d - arc_radius * Vec3{std::cos(theta), 0, std::sin(theta)}) - radius;
+    const double rho = std::sqrt(d[0] * d[0] + d[2] * d[2]);
+    if (d[0] >= rho * cosine) return std::sqrt((rho - arc_radius) * (rho - arc_radius) + d[1] * d[1]) - radius;
+    return norm(d - arc_radius * Vec3{cosine, 0, d[2] < 0 ? -sine : sine}) - radius;
   };
 }
 
