@@ -81,7 +81,7 @@ Organ kidney(const KidneyShape& k) {
   Implicit medulla;
   const double spread = 160 * std::numbers::pi / 180 / std::max(1, k.pyramids - 1);
   for (const Ray& ray : fan(k, inner, sinus)) {
-    const double base = std::min(0.5 * spread * ray.length, 0.6 * r), tip = 0.3 * base;
+    const double base = std::min(0.85 * spread * ray.length, 0.6 * r), tip = 0.3 * base;
     const Vec3 apex = sinus + (0.35 * ray.length) * ray.direction, end = sinus + ray.length * ray.direction;
     const Implicit pyramid = base - tip < 0.65 * ray.length ? round_cone(apex, tip, end, base) : ball(end, base);
     medulla = medulla ? smooth_union(medulla, pyramid, 0) : pyramid;
