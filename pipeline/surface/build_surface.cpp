@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include <palpate/errors.hpp>
 #include <pipeline/surface/checks.hpp>
 #include <pipeline/surface/contour.hpp>
+#include <pipeline/surface/even_triangles.hpp>
+#include <pipeline/surface/distance.hpp>
 #include <pipeline/surface/field.hpp>
 #include <pipeline/surface/measure.hpp>
 #include <pipeline/surface/regions.hpp>
-#include <pipeline/surface/remesh.hpp>
 #include <pipeline/surface/smooth.hpp>
 
 namespace palpate {
@@ -48,22 +50,6 @@ Surface without_small_shells(const Surface& surface, const MaskOptions& options,
   return part_of(surface, kept);
 }
 
-/// Remeshed; where a crease or neck is too narrow for the triangles, it is relaxed a little and the whole remeshed again, while that helps.
-Surface even_triangles(const Surface& surface, double edge_mm, int iterations) {
-  Surface best = remesh(surface, edge_mm, iterations);
-  auto poor = poor_triangles(best, 20, 40);
-  for (int round = 0; round < 5 && !poor.empty(); ++round) {
-    Surface relaxed = best;
-    relax_around(relaxed, poor, 2, 5);
-    relaxed = remesh(relaxed, edge_mm, 3);
-    const auto still_poor = poor_triangles(relaxed, 20, 40);
-    if (still_poor.size() >= poor.size() || !self_intersections(relaxed).empty()) break;
-    best = std::move(relaxed);
-    poor = still_poor;
-  }
-  return best;
-}
-
 /// One try with a Gaussian of `smooth_mm` and `steps` towards agreement with the voxels.
 Surface attempt(const Mask& mask, double smooth_mm, int steps, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
   const Vec3 spacing = mask.grid.spacing();
@@ -85,6 +71,7 @@ Surface attempt(const Mask& mask, double smooth_mm, int steps, const SurfaceOpti
 }  // namespace
 
 Surface build_surface(const Labels& labels, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
+  ledger.cut = cut_by_border(labels);
   const Labels box = crop(labels);
   const Mask mask = organ_mask(box, options.mask, ledger.mask);
   ledger.voxels_mm3 = ledger.mask.mm3;
@@ -104,6 +91,28 @@ Surface build_surface(const Labels& labels, const SurfaceOptions& options, Surfa
   }
   const double reach = 4 * *std::max_element(ledger.sigma_mm.begin(), ledger.sigma_mm.end());
   surface.triangle_region = nearest_labels(surface, box, options.mask.labels, reach);
+  return surface;
+}
+
+Surface rebuild_surface(const Surface& brought, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
+  if (brought.triangles.empty()) throw Failure(ExitCode::check_failed, "the surface has no triangles", "", "look at the file in a viewer");
+  Vec3 low = brought.points.front(), high = low;
+  for (const Vec3& x : brought.points)
+    for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);
+  const Surface mended = repair(brought, options.hole_mm > 0 ? options.hole_mm : norm(high - low) / 5, ledger.repair);
+  ledger.raw_mm3 = volume_mm3(mended);
+  ledger.raw_triangles = mended.triangles.size();
+  ledger.edge_mm = options.edge_mm > 0 ? options.edge_mm : std::cbrt(shells(mended).front().volume_mm3) / 20;
+  tell("remeshing " + std::to_string(ledger.raw_triangles) + " triangles to edges of " + mm_text(ledger.edge_mm));
+  Surface surface = even_triangles(mended, ledger.edge_mm, options.iterations);
+  const double smooth_mm = options.smooth_mm > 0 ? options.smooth_mm : ledger.edge_mm;
+  ledger.sigma_mm = {smooth_mm, smooth_mm, smooth_mm};
+  taubin_smooth(surface, std::clamp(int(std::lround(2 * smooth_mm * smooth_mm / (ledger.edge_mm * ledger.edge_mm))), 1, 200));
+  ledger.offset_mm = restore_volume(surface, ledger.raw_mm3);
+  ledger.final_mm3 = volume_mm3(surface);
+  const auto nearest = nearest_triangles(surface, mended);
+  for (std::size_t t = 0; t < nearest.size(); ++t) surface.triangle_region[t] = mended.triangle_region[nearest[t]];
+  surface.region_names = mended.region_names;
   return surface;
 }
 

@@ -1,6 +1,8 @@
 // How far one surface lies from another.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <vector>
+
 #include <palpate/mesh_files.hpp>
 
 namespace palpate {
@@ -13,5 +15,8 @@ struct Distance {
 
 /// From the triangles of `from` to the nearest points of `to`. Both must have triangles.
 Distance distance(const Surface& from, const Surface& to);
+
+/// For each triangle of `from` the triangle of `to` nearest to its centroid.
+std::vector<int> nearest_triangles(const Surface& from, const Surface& to);
 
 }  // namespace palpate

@@ -36,6 +36,35 @@ std::string amount(const std::vector<Piece>& pieces, double of_mm3) {
   return text.str();
 }
 
+Json repair_json(const RepairLedger& repair) {
+  Json holes = Json::array();
+  for (const Hole& hole : repair.holes)
+    holes.push_back({{"edges", hole.edges}, {"across_mm", rounded(hole.across_mm)}, {"at", place_text(hole.centre_mm)}});
+  return {{"points_read", repair.points_in}, {"triangles_read", repair.triangles_in}, {"points_mended", repair.points_mended},
+          {"triangles_mended", repair.triangles_mended}, {"holes_closed", holes}};
+}
+
+void note_shape(Command& command, const Surface& written, const SurfaceLedger& ledger) {
+  Json components = Json::array();
+  for (const Shell& shell : shells(written))
+    components.push_back({{"mm3", rounded(shell.volume_mm3)}, {"mm2", rounded(shell.area_mm2)}, {"genus", shell.genus},
+                          {"triangles", shell.triangles.size()}});
+  command.note("components", components);
+  Json regions = Json::object();
+  for (const auto& [region, name] : written.region_names) regions[std::to_string(region)] = name;
+  command.note("region_names", regions);
+  const Angles found = angles(written);
+  command.note("triangles", written.triangles.size());
+  command.note("points", written.points.size());
+  command.note("area_mm2", rounded(area_mm2(written)));
+  command.note("edge_mm", rounded(ledger.edge_mm));
+  command.note("smooth_mm", {rounded(ledger.sigma_mm[0]), rounded(ledger.sigma_mm[1]), rounded(ledger.sigma_mm[2])});
+  command.note("lattice_mm", rounded(ledger.step_mm));
+  command.note("volume_restoring_offset_mm", rounded(ledger.offset_mm));
+  command.note("angles_deg", {{"smallest", rounded(found.min_deg)}, {"largest", rounded(found.max_deg)}, {"sharpest_fold", rounded(found.min_fold_deg)},
+                              {"sharpest_fold_at", place_of_triangle(written, found.fold_triangle)}});
+}
+
 }  // namespace
 
 std::set<int> label_list(const std::string& text) {
@@ -52,8 +81,8 @@ std::set<int> label_list(const std::string& text) {
 }
 
 RegionNames region_names(Command& command, const Surface& surface) {
-  RegionNames names;
-  for (int region : surface.triangle_region) names[region] = "label_" + std::to_string(region);
+  RegionNames names = surface.region_names;
+  for (int region : surface.triangle_region) names.try_emplace(region, "label_" + std::to_string(region));
   const auto card = card_path(command.input("shape"));
   if (!std::filesystem::is_regular_file(card)) return names;
   const Json notes = read_json(card).value("notes", Json::object());
@@ -65,40 +94,35 @@ RegionNames region_names(Command& command, const Surface& surface) {
 
 void note_surface(Command& command, const Surface& written, const SurfaceLedger& ledger) {
   const double final_mm3 = volume_mm3(written);
-  command.note("volume_ledger", {{"voxels_mm3", rounded(ledger.voxels_mm3)},
-                                 {"raw_surface_mm3", rounded(ledger.raw_mm3)},
-                                 {"final_surface_mm3", rounded(final_mm3)},
-                                 {"raw_against_voxels", rounded(ledger.raw_mm3 / ledger.voxels_mm3 - 1)},
-                                 {"final_against_voxels", rounded(final_mm3 / ledger.voxels_mm3 - 1)},
-                                 {"dropped_pieces_mm3", rounded(total_mm3(ledger.mask.dropped))},
-                                 {"filled_cavities_mm3", rounded(total_mm3(ledger.mask.filled))},
-                                 {"dropped_crumbs_mm3", rounded(ledger.crumbs_mm3)}});
-  command.note("pieces", {{"kept", pieces_json(ledger.mask.kept)},
-                          {"dropped", pieces_json(ledger.mask.dropped)},
-                          {"filled", pieces_json(ledger.mask.filled)}});
-  Json components = Json::array();
-  for (const Shell& shell : shells(written))
-    components.push_back({{"mm3", rounded(shell.volume_mm3)}, {"mm2", rounded(shell.area_mm2)}, {"genus", shell.genus},
-                          {"triangles", shell.triangles.size()}});
-  command.note("components", components);
-  const Angles found = angles(written);
-  command.note("triangles", written.triangles.size());
-  command.note("points", written.points.size());
-  command.note("area_mm2", rounded(area_mm2(written)));
-  command.note("edge_mm", rounded(ledger.edge_mm));
-  command.note("smooth_mm", {rounded(ledger.sigma_mm[0]), rounded(ledger.sigma_mm[1]), rounded(ledger.sigma_mm[2])});
-  command.note("lattice_mm", rounded(ledger.step_mm));
-  command.note("volume_restoring_offset_mm", rounded(ledger.offset_mm));
-  command.note("angles_deg", {{"smallest", rounded(found.min_deg)}, {"largest", rounded(found.max_deg)}, {"sharpest_fold", rounded(found.min_fold_deg)},
-                              {"sharpest_fold_at", place_of_triangle(written, found.fold_triangle)}});
+  const bool from_labels = ledger.voxels_mm3 > 0;
+  Json volumes = {{"raw_surface_mm3", rounded(ledger.raw_mm3)},
+                  {"final_surface_mm3", rounded(final_mm3)},
+                  {"final_against_raw", rounded(final_mm3 / ledger.raw_mm3 - 1)}};
+  if (from_labels)
+    volumes.update({{"voxels_mm3", rounded(ledger.voxels_mm3)},
+                    {"raw_against_voxels", rounded(ledger.raw_mm3 / ledger.voxels_mm3 - 1)},
+                    {"final_against_voxels", rounded(final_mm3 / ledger.voxels_mm3 - 1)},
+                    {"dropped_pieces_mm3", rounded(total_mm3(ledger.mask.dropped))},
+                    {"filled_cavities_mm3", rounded(total_mm3(ledger.mask.filled))},
+                    {"dropped_crumbs_mm3", rounded(ledger.crumbs_mm3)}});
+  command.note("volume_ledger", volumes);
+  if (from_labels)
+    command.note("pieces", {{"kept", pieces_json(ledger.mask.kept)},
+                            {"dropped", pieces_json(ledger.mask.dropped)},
+                            {"filled", pieces_json(ledger.mask.filled)}});
+  else
+    command.note("repair", repair_json(ledger.repair));
+  note_shape(command, written, ledger);
 }
 
-std::vector<std::string> warnings(const Labels& labels, const SurfaceLedger& ledger) {
+std::vector<std::string> warnings(const SurfaceLedger& ledger) {
   std::vector<std::string> all;
   if (!ledger.mask.dropped.empty()) all.push_back("small pieces dropped: " + amount(ledger.mask.dropped, ledger.voxels_mm3));
   if (!ledger.mask.filled.empty()) all.push_back("cavities filled: " + amount(ledger.mask.filled, ledger.voxels_mm3));
   for (const std::string& attempt : ledger.attempts) all.push_back("tried again with more smoothing: " + attempt);
-  if (cut_by_border(labels)) all.push_back("the labels reach the edge of the volume: the organ is cut there, and the surface closed");
+  for (const Hole& hole : ledger.repair.holes)
+    all.push_back("hole closed: " + std::to_string(hole.edges) + " edges around " + place_text(hole.centre_mm));
+  if (ledger.cut) all.push_back("the labels reach the edge of the volume: the organ is cut there, and the surface closed");
   return all;
 }
 

@@ -9,7 +9,7 @@
 #include <palpate/errors.hpp>
 #include <pipeline/surface/checks.hpp>
 #include <pipeline/surface/measure.hpp>
-#include <tests/surface/shapes.hpp>
+#include <tests/surface/shapes/shapes.hpp>
 
 namespace palpate {
 namespace {
