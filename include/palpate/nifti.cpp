@@ -47,13 +47,16 @@ Image read_header(const std::filesystem::path& path) {
   return image;
 }
 
-/// The voxels from `iname`; false when they are not all there. (The library's own nifti_image_load would search for another name.)
+/// The voxels from `iname`; false when they are not all there. (The library's own nifti_image_load would search for another name,
+/// and its nifti_read_buffer would turn NaN into zero.)
 bool load_voxels(nifti_image& image) {
   znzFile file = znzopen(image.iname, "rb", 1);
   if (znz_isnull(file)) return false;
   const std::size_t bytes = image.nvox * image.nbyper;
   image.data = std::calloc(1, bytes);
-  const bool complete = image.data && znzseek(file, image.iname_offset, SEEK_SET) >= 0 && nifti_read_buffer(file, image.data, bytes, &image) == bytes;
+  const bool complete = image.data && znzseek(file, image.iname_offset, SEEK_SET) >= 0 && znzread(image.data, 1, bytes, file) == bytes;
+  if (complete && image.swapsize > 1 && image.byteorder != nifti_short_order())
+    nifti_swap_Nbytes(bytes / image.swapsize, image.swapsize, image.data);
   znzclose(file);
   return complete;
 }
