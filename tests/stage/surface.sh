@@ -44,7 +44,7 @@ done
 card_says one '"value": 1.0'
 
 refused 4 "the labels are empty" empty.nii.gz bad.vtp
-refused 3 "not finite" nan.nii bad.vtp
+refused 3 "not whole numbers" nan.nii bad.vtp
 refused 2 "present are: 1, 2" two.nii.gz bad.vtp --labels 7
 refused 2 "not a label" two.nii.gz bad.vtp --labels kidney
 refused 3 "no such file" missing.nii.gz bad.vtp
