@@ -69,7 +69,7 @@ std::string pressing_sentence(const Study& study) {
     deep = std::max(deep, facts.depth_reached_mm);
   }
   const Solve& first = study.solves.front();
-  std::string text = "Pressed " + range_text(shallow, deep, "mm") + " deep by " + tool_words(first.summary) + ", " + organ(study) +
+  std::string text = "When " + tool_words(first.summary) + " presses " + range_text(shallow, deep, "mm") + " deep, " + organ(study) +
                      " resists with a peak force of " + range_text(low * unit.per_newton, high * unit.per_newton, unit.name);
   if (study.solves.size() > 1) return text + ", depending on the law (" + std::to_string(study.solves.size()) + " compared).";
   if (first.summary.contains("law") && first.summary["law"].is_string()) text += " (" + first.summary["law"].get<std::string>() + ")";
@@ -154,7 +154,7 @@ std::vector<Tile> tiles(const Study& study) {
   if (!study.solves.empty()) {
     list.push_back({study.solves.size() > 1 ? "largest peak force" : "peak force", readable(force * unit.per_newton, 3), unit.name});
     list.push_back({"depth reached", readable(depth, 3), "mm"});
-    if (area > 0) list.push_back({"largest contact area", readable(area, 3), "mm²"});
+    if (area > 0) list.push_back({"contact area", readable(area, 3), "mm²"});
   }
   const Json &mesh = notes_of(study, "palpate-mesh"), &surface = notes_of(study, "palpate-surface");
   const double volume = number_of(mesh, "volume_mm3"), tets = number_of(mesh, "tets");
@@ -162,7 +162,7 @@ std::vector<Tile> tiles(const Study& study) {
   else if (std::isfinite(number_of(surface, "volume_mm3"))) list.push_back({"volume", readable(number_of(surface, "volume_mm3") / 1000, 3), "ml"});
   if (std::isfinite(tets)) list.push_back({"tetrahedra", readable(tets, 15), ""});
   const std::string angle = smallest_angle(mesh);
-  if (!angle.empty()) list.push_back({"smallest dihedral angle", angle, "°"});
+  if (!angle.empty()) list.push_back({"smallest dihedral", angle, "°"});
   const CheckCount checks = checks_of(study);
   if (checks.passed + checks.failed > 0)
     list.push_back({"checks passed", std::to_string(checks.passed), "of " + std::to_string(checks.passed + checks.failed)});

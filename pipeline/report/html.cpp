@@ -73,9 +73,17 @@ std::string number_list_html(const Json& json) {
   return text;
 }
 
+/// "volume_mm3" → "volume (mm³)": a key's words, its unit in brackets.
 std::string spaced(std::string key) {
+  static const std::vector<std::pair<std::string, std::string>> units{{"mm", "mm"}, {"mm2", "mm²"}, {"mm3", "mm³"}, {"deg", "°"}, {"N", "N"}, {"MPa", "MPa"}, {"s", "s"}};
+  std::string unit;
+  for (const auto& [suffix, text] : units) {
+    if (key == suffix) return text;
+    if (key.ends_with("_" + suffix)) unit = " (" + text + ")";
+  }
+  if (!unit.empty()) key.erase(key.rfind('_'));
   std::replace(key.begin(), key.end(), '_', ' ');
-  return escaped(key);
+  return escaped(key) + unit;
 }
 
 /// A list of objects with the same keys, as rows under a header.
@@ -185,6 +193,16 @@ std::string json_table(const Json& json) {
   for (const auto& [key, value] : json.items())
     html += "<tr><th scope=\"row\">" + spaced(key) + "</th><td" + (value.is_number() ? " class=\"n\"" : "") + ">" + json_table(value) + "</td></tr>";
   return html + "</tbody></table>";
+}
+
+std::string facts_html(const Json& facts) {
+  Json plain = Json::object();
+  std::string groups;
+  for (const auto& [key, value] : facts.items()) {
+    if (value.is_structured() && !value.empty() && !is_number_list(value)) groups += "<div><h4>" + spaced(key) + "</h4>" + json_table(value) + "</div>\n";
+    else plain[key] = value;
+  }
+  return "<div class=\"facts\">\n" + (plain.empty() ? "" : "<div>" + json_table(plain) + "</div>\n") + groups + "</div>\n";
 }
 
 std::string picture_figure(const Picture& picture, const std::string& alt, const std::string& caption) {

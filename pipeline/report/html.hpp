@@ -23,6 +23,9 @@ std::string base64(const std::string& bytes);
 /// Any JSON as nested tables; keys lose their underscores. Long lists of numbers are shown as their count and range.
 std::string json_table(const Json& json);
 
+/// An object's plain values in one table, each of its parts in one of its own, side by side where there is room.
+std::string facts_html(const Json& facts);
+
 /// One row of cells; `numeric_from`: cells from that index on are numbers, right-aligned.
 std::string table_row(const std::vector<std::string>& cells, const std::string& cell_tag, std::size_t numeric_from);
 

@@ -29,12 +29,12 @@ std::string notes_html(const Study& study, const std::string& tool, const std::s
   Json rest = Json::object();
   for (const auto& [key, value] : card["notes"].items())
     if (!shown_elsewhere.contains(key)) rest[key] = value;
-  return rest.empty() ? "" : "<h3>" + title + "</h3>\n" + wide(json_table(rest));
+  return rest.empty() ? "" : "<h3>" + title + "</h3>\n" + facts_html(rest);
 }
 
 std::string checks_text(const CheckCount& count) {
-  if (count.failed > 0) return std::to_string(count.failed) + (count.failed == 1 ? " check failed" : " checks failed");
-  return count.passed == 0 ? "no checks" : std::to_string(count.passed) + (count.passed == 1 ? " check passed" : " checks passed");
+  const long all = count.passed + count.failed;
+  return all == 0 ? "no checks" : std::to_string(count.passed) + "/" + std::to_string(all) + (all == 1 ? " check" : " checks");
 }
 
 std::string stage_strip(const Study& study) {
@@ -175,7 +175,7 @@ std::string pressed_html(const Drawings& drawings) {
     html += "</div>\n";
   }
   return html + colour_bar("displacement", Tones::displacement, readable(drawings.displacement_scale_mm, 3) + " mm") +
-         colour_bar("von Mises stress", Tones::stress, readable(drawings.stress_scale_mpa * 1000, 3) + " kPa");
+         colour_bar("von Mises stress", Tones::stress, readable(drawings.stress_scale_mpa * 1000, 3) + " kPa and more");
 }
 
 std::string check_value(const Json& value) {

@@ -269,7 +269,7 @@ Picture pressed_outside(const Pressed& pressed, double displacement_mm) {
   silhouette->Update();
   Scene scene;
   scene.add(smooth_shaded(*organ), {.field = "displacement", .tones = Tones::displacement, .top = displacement_mm});
-  scene.add(silhouette->GetOutput(), {.colour = rest_line, .lit = false, .line_width = 1.5});
+  scene.add(silhouette->GetOutput(), {.colour = rest_line, .lit = false, .line_width = 1.5, .layer = -1000});  // behind the organ
   add_tool(scene, pressed.tool);
   std::vector<Vec3> seen = used_points(moved(pressed), triangles);
   for (const Vec3& p : used_points(pressed.mesh.points, triangles)) seen.push_back(p);
