@@ -16,9 +16,7 @@ using materials::Mat3;
 using materials::Mat9;
 using materials::Response;
 using materials::Vec9;
-using Mat93 = Eigen::Matrix<double, 9, 3>;
 using Mat94 = Eigen::Matrix<double, 9, 4>;
-using Mat912 = Eigen::Matrix<double, 9, 12>;
 
 constexpr double mean_weight(int a, int s) { return a == s ? 1.0 / 16 : 5.0 / 16; }
 
@@ -55,12 +53,15 @@ void add_cofactor_derivative(Mat9& A, double p, const Mat3& F) {
     }
 }
 
-/// I ⊗ g: the deformation gradient of a displacement that is 1 at a node with gradient g.
-Mat93 spread(const Eigen::Vector3d& g) {
-  Mat93 m = Mat93::Zero();
-  for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 3; ++i) m(i + 3 * j, i) = g(j);
-  return m;
+/// Gᵀ X for G = I ⊗ g, the deformation gradient of a displacement that is 1 at a node with gradient g: 9 × n to 3 × n.
+template <int n>
+Eigen::Matrix<double, 3, n> along_rows(const Eigen::Vector3d& g, const Eigen::Matrix<double, 9, n>& X) {
+  return g(0) * X.template middleRows<3>(0) + g(1) * X.template middleRows<3>(3) + g(2) * X.template middleRows<3>(6);
+}
+/// X G: m × 9 to m × 3.
+template <int m>
+Eigen::Matrix<double, m, 3> along_columns(const Eigen::Vector3d& g, const Eigen::Matrix<double, m, 9>& X) {
+  return g(0) * X.template middleCols<3>(0) + g(1) * X.template middleCols<3>(3) + g(2) * X.template middleCols<3>(6);
 }
 
 struct SubTetrahedron {
@@ -112,17 +113,17 @@ Sums sum_over(const SubTetrahedra& subs, const Tetrahedron& rest, const Material
     Response r = material.respond(F);
     if (kinematics == Kinematics::finite) add_cofactor_derivative(r.A, p, F);
     const Vec9 P = flat(r.P) + p * volume.gradient;
-    const Mat93 G = spread(4 * rest.gradients.col(s));
-    const Eigen::Matrix<double, 3, 9> GA = G.transpose() * r.A;
+    const Eigen::Vector3d g = 4 * rest.gradients.col(s);
+    const Eigen::Matrix<double, 3, 9> GA = along_rows<9>(g, r.A);
     Eigen::RowVector4d w;
     for (int a = 0; a < 4; ++a) w(a) = mean_weight(a, s);
     sums.P += P;
     sums.A += r.A;
     sums.GA += GA;
-    sums.bb += GA * G;
-    sums.rb += G.transpose() * P - 0.25 * body_force.col(s);  // the bubble's mean over a sub-tetrahedron is 1/4
+    sums.bb += along_columns<3>(g, GA);
+    sums.rb += along_rows<1>(g, P) - 0.25 * body_force.col(s);  // the bubble's mean over a sub-tetrahedron is 1/4
     sums.cw += volume.gradient * w;
-    sums.bp += G.transpose() * volume.gradient * w;
+    sums.bp += along_rows<1>(g, volume.gradient) * w;
     sums.rp += volume.dilation * w.transpose();
     sums.stress_size += flat(r.P).norm() + std::abs(p) * volume.gradient.norm();
   }
@@ -178,23 +179,24 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
   const double quarter = rest.volume / 4;
 
   // Full blocks, displacements then pressures.
-  Mat912 D;
-  for (int a = 0; a < 4; ++a) D.middleCols<3>(3 * a) = spread(rest.gradients.col(a));
   Eigen::Matrix<double, 16, 16> K;
-  K.topLeftCorner<12, 12>() = quarter * D.transpose() * sums.A * D;
-  K.topRightCorner<12, 4>() = quarter * D.transpose() * sums.cw;
-  K.bottomRightCorner<4, 4>() = -mass(rest.volume) / material.bulk_modulus;
   Vec16 r;
-  r.head<12>() = quarter * D.transpose() * sums.P;
-  for (int a = 0; a < 4; ++a)
+  Eigen::Matrix<double, 3, 16> Kb;
+  for (int a = 0; a < 4; ++a) {
+    const Eigen::Vector3d ga = quarter * rest.gradients.col(a);
+    const Eigen::Matrix<double, 3, 9> row = along_rows<9>(ga, sums.A);
+    for (int b = 0; b < 4; ++b) K.block<3, 3>(3 * a, 3 * b) = along_columns<3>(rest.gradients.col(b), row);
+    K.block<3, 4>(3 * a, 12) = along_rows<4>(ga, sums.cw);
+    Kb.middleCols<3>(3 * a) = along_columns<3>(ga, sums.GA);
+    r.segment<3>(3 * a) = along_rows<1>(ga, sums.P);
     for (int s = 0; s < 4; ++s) r.segment<3>(3 * a) -= quarter * mean_weight(a, s) * body_force.col(s);
+  }
+  K.bottomRightCorner<4, 4>() = -mass(rest.volume) / material.bulk_modulus;
   Eigen::Vector4d p;
   for (int a = 0; a < 4; ++a) p(a) = state.nodal(4 * a + 3);
   r.tail<4>() = quarter * sums.rp - mass(rest.volume) * p / material.bulk_modulus;
 
   // Condensation: K − K_qb K_bb⁻¹ K_bq, where the bubble's own residual is already solved.
-  Eigen::Matrix<double, 3, 16> Kb;
-  Kb.leftCols<12>() = quarter * sums.GA * D;
   Kb.rightCols<4>() = quarter * sums.bp;
   const Eigen::LLT<Eigen::Matrix3d> factor(quarter * sums.bb);
   if (factor.info() != Eigen::Success) {
@@ -202,7 +204,7 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
     return system;
   }
   K.bottomLeftCorner<4, 12>() = K.topRightCorner<12, 4>().transpose();
-  K -= Kb.transpose() * factor.solve(Kb);
+  K -= Kb.transpose().lazyProduct(Eigen::Matrix<double, 3, 16>(factor.solve(Kb)));
 
   static constexpr std::array<int, 16> from = {0, 1, 2, 12, 3, 4, 5, 13, 6, 7, 8, 14, 9, 10, 11, 15};  // node by node
   for (int i = 0; i < 16; ++i) {

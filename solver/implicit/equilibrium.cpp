@@ -7,6 +7,8 @@
 namespace palpate::implicit {
 namespace {
 
+constexpr double near_equilibrium = 1e-3;
+
 SparseDirect solver_for(const BlockMatrix& tangent, int threads) {
   std::vector<int> rows, columns;
   tangent.coordinates(rows, columns);
@@ -70,18 +72,21 @@ double Equilibrium::relative_residual(const Trial& trial) const {
   return std::max({std::sqrt(force) / scale, std::sqrt(volume) / volume_scale_, trial.prescribed.norm()});
 }
 
-bool Equilibrium::solve_step(const Trial& trial, Eigen::VectorXd& step) {
+bool Equilibrium::factor() {
+  at_equilibrium_ = false;
   std::vector<double> values;
   tangent_.values(fixed_, values);
-  step = -trial.equations.residual - tangent_.multiply(trial.prescribed);
+  if (solver_.factor(values)) return true;
+  trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front()};
+  return false;
+}
+
+Eigen::VectorXd Equilibrium::back_substitute(const Trial& trial) {
+  Eigen::VectorXd step = -trial.equations.residual - tangent_.multiply(trial.prescribed);
   for (int i = 0; i < step.size(); ++i)
     if (fixed_[i]) step(i) = trial.prescribed(i);
-  if (!solver_.factor(values)) {
-    trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front()};
-    return false;
-  }
   solver_.solve(step);
-  return step.allFinite();
+  return step;
 }
 
 void Equilibrium::explain_fault(const Equations& equations) {
@@ -120,32 +125,35 @@ bool Equilibrium::line_search(Trial& trial, const Eigen::VectorXd& step) {
 }
 
 /// Euler's predictor: the organ gives way to the tool along the tangent at the old equilibrium. Without it the tool's new place
-/// presses on points that it would have carried along.
+/// presses on points that it would have carried along. The factor left by the last step found is that tangent's, to Newton's last
+/// correction.
 bool Equilibrium::follow_tool(Trial& trial, double load) {
+  if (!at_equilibrium_) {
+    const Equations equations = assembly_(trial.state, tangent_);
+    if (equations.fault != elements::ElementFault::none || !factor()) return false;
+    by_travel_ = equations.by_travel;
+  }
+  if (by_travel_.isZero(0)) return false;
+  trial.equations.residual = (load - trial.state.load) * model_.tool->depth * by_travel_;
+  const Eigen::VectorXd step = back_substitute(trial);
   State moved = trial.state;
-  Equations equations = assembly_(moved, tangent_);
-  if (equations.fault != elements::ElementFault::none || equations.by_travel.isZero(0)) return false;
-  trial.equations.residual = (load - trial.state.load) * model_.tool->depth * equations.by_travel;
-  Eigen::VectorXd step;
-  if (!solve_step(trial, step)) return false;
   moved.nodal += step;
   moved.load = load;
   trial.equations = assembly_(moved, tangent_);
-  if (trial.equations.fault != elements::ElementFault::none) return false;
+  if (!step.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
   trial.state = std::move(moved);
   trial.prescribed.setZero();
   return true;
 }
 
-bool Equilibrium::newton(Trial& trial) {
+bool Equilibrium::newton(Trial& trial, double tolerance) {
   for (int i = 0; i < limits_.iterations; ++i) {
-    if (trial.residual <= limits_.tolerance) return true;
-    Eigen::VectorXd step;
-    if (!solve_step(trial, step) || !line_search(trial, step)) return false;
+    if (trial.residual <= tolerance) return true;
+    if (!factor() || !line_search(trial, back_substitute(trial))) return false;
     ++trial.iterations;
     trial.history.push_back(trial.residual);
   }
-  if (trial.residual <= limits_.tolerance) return true;
+  if (trial.residual <= tolerance) return true;
   explain_residual(trial);
   return false;
 }
@@ -166,13 +174,17 @@ std::optional<Found> Equilibrium::find(State& state, double load) {
     }
     trial.residual = relative_residual(trial);
     trial.history.push_back(trial.residual);
-    if (!newton(trial)) return {};
+    // Near equilibrium is near enough to see whether the pressures need augmenting.
+    if (!newton(trial, near_equilibrium)) return {};
+    if (trial.equations.contact.worst_gap <= limits_.penetration && !newton(trial, limits_.tolerance)) return {};
     if (trial.equations.contact.worst_gap <= limits_.penetration) {
       if (trial.iterations > 0 && solver_.negative_pivots() != free_pressures_) {
         trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
         return {};
       }
       state = std::move(trial.state);
+      at_equilibrium_ = trial.iterations > 0;
+      by_travel_ = trial.equations.by_travel;
       return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
     }
     trial.state.multipliers = trial.equations.contact.pressure;

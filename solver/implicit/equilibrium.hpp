@@ -17,7 +17,7 @@ struct Trouble {
 };
 
 struct NewtonLimits {
-  int iterations = 25;        ///< per augmentation
+  int iterations = 14;        ///< per augmentation
   int augmentations = 20;
   double tolerance = 1e-9;    ///< of the residual: force over internal forces, volume over nodal volumes
   double penetration = contact::deepest_gap;  ///< of the local element size
@@ -41,9 +41,10 @@ class Equilibrium {
  private:
   struct Trial;
   bool follow_tool(Trial& trial, double load);
-  bool newton(Trial& trial);
+  bool newton(Trial& trial, double tolerance);
   bool line_search(Trial& trial, const Eigen::VectorXd& step);
-  bool solve_step(const Trial& trial, Eigen::VectorXd& step);
+  bool factor();
+  Eigen::VectorXd back_substitute(const Trial& trial);
   double relative_residual(const Trial& trial) const;
   void explain_residual(const Trial& trial);
   void explain_fault(const Equations& equations);
@@ -56,6 +57,8 @@ class Equilibrium {
   std::vector<char> fixed_;
   int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
   double volume_scale_ = 0, force_floor_ = 0;
+  bool at_equilibrium_ = false;  ///< the factor is the tangent's at the last state found
+  Eigen::VectorXd by_travel_;    ///< of that state
   Trouble trouble_;
 };
 

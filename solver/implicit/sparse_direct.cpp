@@ -10,6 +10,12 @@
 #include <string>
 
 namespace palpate::implicit {
+namespace {
+
+/// Below this size the fronts are too small for a threaded BLAS: its threads wait for each other longer than they work.
+constexpr int threaded_from = 40000;
+
+}  // namespace
 
 struct SparseDirect::Mumps {
   DMUMPS_STRUC_C id{};
@@ -32,7 +38,7 @@ struct SparseDirect::Mumps {
 
 SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, int threads)
     : mumps_(std::make_unique<Mumps>()) {
-  openblas_set_num_threads(threads);
+  openblas_set_num_threads(unknowns < threaded_from ? 1 : threads);
   Mumps& m = *mumps_;
   m.rows = std::move(rows);
   m.columns = std::move(columns);

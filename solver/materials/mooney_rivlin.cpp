@@ -6,8 +6,9 @@ namespace palpate::materials {
 namespace {
 
 Response respond(const Mat3& F, std::span<const double> p) {
-  const auto inv = isochoric_invariants(F);
-  return from_invariants(inv, {.W = p[0] * (inv.I1.value - 3) + p[1] * (inv.I2.value - 3), .W1 = p[0], .W2 = p[1]});
+  const auto I1 = first_invariant(F), I2 = second_invariant(F);
+  return {p[0] * (I1.value - 3) + p[1] * (I2.value - 3), p[0] * I1.gradient + p[1] * I2.gradient,
+          p[0] * I1.hessian + p[1] * I2.hessian};
 }
 
 }  // namespace

@@ -6,8 +6,8 @@ namespace palpate::materials {
 namespace {
 
 Response respond(const Mat3& F, std::span<const double> p) {
-  const auto inv = isochoric_invariants(F);
-  return from_invariants(inv, {.W = p[0] / 2 * (inv.I1.value - 3), .W1 = p[0] / 2});
+  const auto I1 = first_invariant(F);
+  return from_first(I1, p[0] / 2 * (I1.value - 3), p[0] / 2, 0);
 }
 
 }  // namespace
