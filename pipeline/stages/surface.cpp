@@ -10,25 +10,32 @@ using namespace palpate;
 
 void usage(Usage& u) {
   u.name = "surface";
-  u.sentence = "Turns labels, or a triangle surface from elsewhere, into a smooth closed surface of even triangles that keeps the volume.";
+  u.sentence =
+      "Turns labels, or a triangle surface from elsewhere, into a smooth closed surface of even triangles that keeps the volume.";
   u.details =
-      "The chosen labels are cut out, small pieces dropped and closed cavities filled. The voxels are blurred by a Gaussian wide enough to bridge "
-      "the slices, and the surface is taken where it encloses exactly their volume; it is then remeshed to even triangles and its volume restored. "
+      "The chosen labels are cut out, small pieces dropped and closed cavities filled. The voxels are blurred by a Gaussian wide "
+      "enough to bridge "
+      "the slices, and the surface is taken where it encloses exactly their volume; it is then remeshed to even triangles and "
+      "its volume restored. "
       "A triangle surface (.vtp .stl .ply .obj) is repaired, its holes closed up to --hole, remeshed and smoothed instead. "
       "The written file is read again and checked: closed, manifold, oriented, free of self-intersections, volume within 2 %.";
-  u.input("shape", "labels.nii.gz", "label volume (NIfTI), also one made elsewhere, zero is background; or a surface .vtp .stl .ply .obj in LPS, mm");
+  u.input("shape", "labels.nii.gz",
+          "label volume (NIfTI), also one made elsewhere, zero is background; or a surface .vtp .stl .ply .obj in LPS, mm");
   u.output("surface", "surface.vtp", "closed triangle surface in patient LPS, mm; region of a triangle: the nearest label");
   u.text("labels", std::nullopt, "labels that make up the organ, as in 1,2; all above zero when not given");
-  u.integer("pieces", std::nullopt, {1, 1000}, "keep this many connected pieces, the largest; when not given, all that reach --min-piece");
+  u.integer("pieces", std::nullopt, {1, 1000},
+            "keep this many connected pieces, the largest; when not given, all that reach --min-piece");
   u.real("min-piece", 0.01, "1", {0, 1}, "smallest piece to keep, as a fraction of the largest");
   u.choice("cavities", "fill", {"fill", "keep"}, "what to do with cavities enclosed on all sides");
-  u.real("smooth", std::nullopt, "mm", {1e-3, 100},
-         "standard deviation of the Gaussian; when not given, 1.5 times the coarsest voxel spacing and at least a third of --edge");
+  u.real(
+      "smooth", std::nullopt, "mm", {1e-3, 100},
+      "standard deviation of the Gaussian; when not given, 1.5 times the coarsest voxel spacing and at least a third of --edge");
   u.real("edge", std::nullopt, "mm", {1e-3, 1000},
          "edge length of the triangles; when not given, a twentieth of the cube root of the largest piece's volume");
   u.real("hole", std::nullopt, "mm", {0, 1e4},
          "largest hole of a brought surface to close, across; when not given, a fifth of its bounding box's diagonal");
-  u.integer("max-genus", std::nullopt, {0, 1000}, "most handles (tunnels) the surface may have; when not given, they are only reported");
+  u.integer("max-genus", std::nullopt, {0, 1000},
+            "most handles (tunnels) the surface may have; when not given, they are only reported");
 }
 
 void run(Command& c) {

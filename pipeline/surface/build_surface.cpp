@@ -36,7 +36,8 @@ double lattice_step(const Grid& grid, double edge_mm) {
   return std::max({edge_mm / 2, finest / 2, std::cbrt(box_mm3 / lattice_nodes_max)});
 }
 
-/// Blurring may leave crumbs where labels were thin, and bubbles where they were porous: less than half of what a piece must have.
+/// Blurring may leave crumbs where labels were thin, and bubbles where they were porous: less than half of what a piece must
+/// have.
 Surface without_small_shells(const Surface& surface, const MaskOptions& options, SurfaceLedger& ledger) {
   ledger.crumbs = 0, ledger.crumbs_mm3 = 0;
   const auto all = shells(surface);
@@ -51,7 +52,8 @@ Surface without_small_shells(const Surface& surface, const MaskOptions& options,
 }
 
 /// One try with a Gaussian of `smooth_mm` and `steps` towards agreement with the voxels.
-Surface attempt(const Mask& mask, double smooth_mm, int steps, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
+Surface attempt(const Mask& mask, double smooth_mm, int steps, const SurfaceOptions& options, SurfaceLedger& ledger,
+                const Tell& tell) {
   const Vec3 spacing = mask.grid.spacing();
   const double slack_mm = 0.5 * *std::min_element(spacing.begin(), spacing.end());
   ledger.sigma_mm = gaussian_mm(mask.grid, smooth_mm);
@@ -86,7 +88,8 @@ Surface build_surface(const Labels& labels, const SurfaceOptions& options, Surfa
     limits.volume_mm3 = ledger.voxels_mm3;
     const auto failed = first_failed(surface_checks(surface, limits));
     if (!failed) break;
-    ledger.attempts.push_back("smoothed over " + mm_text(smooth_mm) + ", " + failed->name + " was " + failed->value.dump() + ", " + failed->where);
+    ledger.attempts.push_back("smoothed over " + mm_text(smooth_mm) + ", " + failed->name + " was " + failed->value.dump() +
+                              ", " + failed->where);
     tell(ledger.attempts.back());
   }
   const double reach = 4 * *std::max_element(ledger.sigma_mm.begin(), ledger.sigma_mm.end());
@@ -95,7 +98,8 @@ Surface build_surface(const Labels& labels, const SurfaceOptions& options, Surfa
 }
 
 Surface rebuild_surface(const Surface& brought, const SurfaceOptions& options, SurfaceLedger& ledger, const Tell& tell) {
-  if (brought.triangles.empty()) throw Failure(ExitCode::check_failed, "the surface has no triangles", "", "look at the file in a viewer");
+  if (brought.triangles.empty())
+    throw Failure(ExitCode::check_failed, "the surface has no triangles", "", "look at the file in a viewer");
   Vec3 low = brought.points.front(), high = low;
   for (const Vec3& x : brought.points)
     for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], x[a]), high[a] = std::max(high[a], x[a]);

@@ -20,7 +20,8 @@ Check none(const std::string& name, int count, const Vec3& first_at) {
 Check self_intersection_check(const Surface& surface) {
   const auto pairs = self_intersections(surface);
   Check check = check_equal("self-intersections", long(pairs.size()), 0);
-  if (!pairs.empty()) check.where = place_of_triangle(surface, pairs[0].first) + " meets " + place_of_triangle(surface, pairs[0].second);
+  if (!pairs.empty())
+    check.where = place_of_triangle(surface, pairs[0].first) + " meets " + place_of_triangle(surface, pairs[0].second);
   return check;
 }
 

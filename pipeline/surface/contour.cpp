@@ -17,7 +17,8 @@ constexpr int kuhn[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 
 
 class Marcher {
  public:
-  Marcher(const Scan& field, double level) : field_(field), level_(level), mirrored_(field.grid.lps_from_voxel.determinant() < 0) {
+  Marcher(const Scan& field, double level)
+      : field_(field), level_(level), mirrored_(field.grid.lps_from_voxel.determinant() < 0) {
     for (int c = 0; c < 8; ++c) offset_[c] = field.grid.at(c & 1, c >> 1 & 1, c >> 2);
   }
 
@@ -69,7 +70,8 @@ class Marcher {
     surface_.triangles.push_back(flip ? std::array<int, 3>{a, c, b} : std::array<int, 3>{a, b, c});
   }
 
-  /// One point per cut edge; an edge is its lower node and one of seven directions. Kept off the ends, so that no triangle is a point.
+  /// One point per cut edge; an edge is its lower node and one of seven directions. Kept off the ends, so that no triangle is a
+  /// point.
   int vertex(std::size_t node, int a, int b) {
     const int low = std::min(a, b), high = std::max(a, b);
     const std::uint64_t key = std::uint64_t(node + offset_[low]) * 8 + (high - low);
@@ -77,7 +79,8 @@ class Marcher {
     if (fresh) {
       const double fa = field_.voxels[node + offset_[low]], fb = field_.voxels[node + offset_[high]];
       const double t = std::clamp((level_ - fa) / (fb - fa), 0.02, 0.98);
-      surface_.points.push_back(field_.grid.lps_from_voxel((1 - t) * place(node + offset_[low]) + t * place(node + offset_[high])));
+      surface_.points.push_back(
+          field_.grid.lps_from_voxel((1 - t) * place(node + offset_[low]) + t * place(node + offset_[high])));
     }
     return entry->second;
   }

@@ -6,9 +6,9 @@
 
 namespace palpate {
 
-/// The surface f = level, f > level inside, triangles counter-clockwise from outside whatever the handedness of the lattice. Every cube is cut
-/// into six tetrahedra around its diagonal 0–7 (Kuhn 1960), the same way in all cubes, so that faces match. Regions are 0.
-/// The field must be below the level on its border.
+/// The surface f = level, f > level inside, triangles counter-clockwise from outside whatever the handedness of the lattice.
+/// Every cube is cut into six tetrahedra around its diagonal 0–7 (Kuhn 1960), the same way in all cubes, so that faces match.
+/// Regions are 0. The field must be below the level on its border.
 Surface contour(const Scan& field, double level);
 
 /// The level whose contour encloses `mm3`, by at most eight secant steps to 1e-4 relative, and that contour.

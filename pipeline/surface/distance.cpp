@@ -24,7 +24,9 @@ Triangles triangles_of(const Surface& s) {
   return triangles;
 }
 
-Vec3 centroid(const Surface& s, const std::array<int, 3>& t) { return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]); }
+Vec3 centroid(const Surface& s, const std::array<int, 3>& t) {
+  return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+}
 
 }  // namespace
 

@@ -5,8 +5,8 @@
 
 namespace palpate {
 
-/// Remeshed to edges of `edge_mm`; where a crease or neck is too narrow for the triangles (an angle below 20 deg, a fold below 40 deg), it is relaxed
-/// a little and the whole remeshed again, while that helps.
+/// Remeshed to edges of `edge_mm`; where a crease or neck is too narrow for the triangles (an angle below 20 deg, a fold below 40
+/// deg), it is relaxed a little and the whole remeshed again, while that helps.
 Surface even_triangles(const Surface& surface, double edge_mm, int iterations);
 
 }  // namespace palpate

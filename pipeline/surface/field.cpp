@@ -108,7 +108,8 @@ std::array<double, 3> gaussian_mm(const Grid& grid, double smooth_mm) {
 Scan consistent_weights(const Mask& mask, const std::array<double, 3>& sigma_mm, double slack_mm, int steps) {
   Scan weights{mask.grid, std::vector<float>(mask.voxels.begin(), mask.voxels.end())};
   const double sigma = *std::max_element(sigma_mm.begin(), sigma_mm.end());
-  const float slack = float(0.5 * std::erf(slack_mm / (std::numbers::sqrt2 * sigma)));  // Φ(d/σ) − ½, the blurred value at a distance
+  const float slack =
+      float(0.5 * std::erf(slack_mm / (std::numbers::sqrt2 * sigma)));  // Φ(d/σ) − ½, the blurred value at a distance
   for (int step = 0; step < steps; ++step) {
     const Scan blurred = blur(weights, sigma_mm);
     const float level = level_of_count(blurred, std::count(mask.voxels.begin(), mask.voxels.end(), 1));

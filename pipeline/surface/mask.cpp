@@ -63,8 +63,8 @@ void drop_small_pieces(Mask& mask, const MaskOptions& options, MaskLedger& ledge
   std::vector<bool> dropped(pieces.size(), false);
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const Piece& piece = pieces[order[rank]];
-    const bool keep = options.largest > 0 ? rank < std::size_t(options.largest)
-                                          : piece.voxels >= options.min_piece * pieces[order[0]].voxels;
+    const bool keep =
+        options.largest > 0 ? rank < std::size_t(options.largest) : piece.voxels >= options.min_piece * pieces[order[0]].voxels;
     (keep ? ledger.kept : ledger.dropped).push_back(piece);
     dropped[order[rank]] = !keep;
   }
@@ -142,7 +142,8 @@ Mask organ_mask(const Labels& labels, const MaskOptions& options, MaskLedger& le
   const std::set<int> present = labels_present(labels);
   for (int label : options.labels)
     if (!present.contains(label))
-      throw Failure(ExitCode::misuse, "no voxel has the label " + std::to_string(label), "--labels", "present are: " + list(present));
+      throw Failure(ExitCode::misuse, "no voxel has the label " + std::to_string(label), "--labels",
+                    "present are: " + list(present));
   Mask mask{labels.grid, std::vector<std::uint8_t>(labels.voxels.size(), 0)};
   for (std::size_t v = 0; v < mask.voxels.size(); ++v)
     mask.voxels[v] = labels.voxels[v] != 0 && (options.labels.empty() || options.labels.contains(labels.voxels[v]));

@@ -27,9 +27,9 @@ struct MaskLedger {
 };
 
 struct MaskOptions {
-  std::set<int> labels;      ///< empty: every label above zero
-  int largest = 0;           ///< keep this many pieces, the largest; 0: all that reach `min_piece`
-  double min_piece = 0.01;   ///< fraction of the largest piece
+  std::set<int> labels;     ///< empty: every label above zero
+  int largest = 0;          ///< keep this many pieces, the largest; 0: all that reach `min_piece`
+  double min_piece = 0.01;  ///< fraction of the largest piece
   bool keep_cavities = false;
 };
 
@@ -39,8 +39,8 @@ std::set<int> labels_present(const Labels& labels);
 /// True when a voxel above zero lies on the outermost layer: the scan cuts the organ.
 bool cut_by_border(const Labels& labels);
 
-/// The labels in their bounding box (of all voxels above zero), padded by one empty voxel on every side; a whole organ stays whole.
-/// Throws Failure(check_failed) when there is none.
+/// The labels in their bounding box (of all voxels above zero), padded by one empty voxel on every side; a whole organ stays
+/// whole. Throws Failure(check_failed) when there is none.
 Labels crop(const Labels& labels);
 
 /// The mask of the chosen labels: pieces joined over faces. `labels` must have an empty border (see crop).

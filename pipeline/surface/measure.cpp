@@ -39,7 +39,8 @@ std::vector<Side> sorted_sides(const Surface& s) {
       const int from = s.triangles[t][e], to = s.triangles[t][(e + 1) % 3];
       sides.push_back({std::min(from, to), std::max(from, to), int(t), from < to});
     }
-  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   return sides;
 }
 
@@ -204,9 +205,12 @@ Faults faults(const Surface& surface) {
     if (count++ == 0) at = 0.5 * (surface.points[side.low] + surface.points[side.high]);
   };
   for_each_edge(sides, [&](std::span<const Side> edge) {
-    if (edge.size() == 1) note(result.open_edges, result.open_at, edge[0]);
-    else if (edge.size() > 2) note(result.crowded_edges, result.crowded_at, edge[0]);
-    else if (edge[0].forward == edge[1].forward) note(result.twisted_edges, result.twisted_at, edge[0]);
+    if (edge.size() == 1)
+      note(result.open_edges, result.open_at, edge[0]);
+    else if (edge.size() > 2)
+      note(result.crowded_edges, result.crowded_at, edge[0]);
+    else if (edge[0].forward == edge[1].forward)
+      note(result.twisted_edges, result.twisted_at, edge[0]);
   });
   find_pinched(surface, sides, result);
   return result;

@@ -8,15 +8,16 @@
 
 namespace palpate {
 
-/// V = Σ x₀·(x₁×x₂)/6, positive when triangles are counter-clockwise from outside. Taken about the first point: exact far from the origin.
+/// V = Σ x₀·(x₁×x₂)/6, positive when triangles are counter-clockwise from outside. Taken about the first point: exact far from
+/// the origin.
 double volume_mm3(const Surface& surface);
 double area_mm2(const Surface& surface);
 
 /// Angles of all triangles.
 struct Angles {
   double min_deg = 180, max_deg = 0;
-  int sharpest_triangle = -1;      ///< of min_deg
-  double min_fold_deg = 180;       ///< smallest angle between neighbouring triangles: 180 is flat, 0 folded back
+  int sharpest_triangle = -1;  ///< of min_deg
+  double min_fold_deg = 180;   ///< smallest angle between neighbouring triangles: 180 is flat, 0 folded back
   int fold_triangle = -1;
 };
 Angles angles(const Surface& surface);
@@ -38,8 +39,9 @@ Surface part_of(const Surface& surface, const std::vector<bool>& kept_triangles)
 
 /// Combinatorial faults; -1 or empty: none.
 struct Faults {
-  int open_edges = 0, crowded_edges = 0, twisted_edges = 0, pinched_points = 0;  ///< one, more than two, same-way triangles; several fans
-  Vec3 open_at{}, crowded_at{}, twisted_at{}, pinched_at{};                      ///< the first of each
+  int open_edges = 0, crowded_edges = 0, twisted_edges = 0,
+      pinched_points = 0;                                    ///< one, more than two, same-way triangles; several fans
+  Vec3 open_at{}, crowded_at{}, twisted_at{}, pinched_at{};  ///< the first of each
 };
 Faults faults(const Surface& surface);
 

@@ -17,7 +17,8 @@ Json pieces_json(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     if (list.size() == 20) break;  // the largest tell enough
     const Vec3& x = piece.centre_mm;
-    list.push_back({{"mm3", rounded(piece.mm3)}, {"voxels", piece.voxels}, {"centre_mm", {rounded(x[0]), rounded(x[1]), rounded(x[2])}}});
+    list.push_back(
+        {{"mm3", rounded(piece.mm3)}, {"voxels", piece.voxels}, {"centre_mm", {rounded(x[0]), rounded(x[1]), rounded(x[2])}}});
   }
   return list;
 }
@@ -31,8 +32,8 @@ double total_mm3(const std::vector<Piece>& pieces) {
 std::string amount(const std::vector<Piece>& pieces, double of_mm3) {
   std::ostringstream text;
   text.precision(2);
-  text << pieces.size() << " (" << total_mm3(pieces) << " mm3, " << 100 * total_mm3(pieces) / of_mm3 << " % of the organ; the largest at "
-       << place_text(pieces[0].centre_mm) << ")";
+  text << pieces.size() << " (" << total_mm3(pieces) << " mm3, " << 100 * total_mm3(pieces) / of_mm3
+       << " % of the organ; the largest at " << place_text(pieces[0].centre_mm) << ")";
   return text.str();
 }
 
@@ -40,14 +41,19 @@ Json repair_json(const RepairLedger& repair) {
   Json holes = Json::array();
   for (const Hole& hole : repair.holes)
     holes.push_back({{"edges", hole.edges}, {"across_mm", rounded(hole.across_mm)}, {"at", place_text(hole.centre_mm)}});
-  return {{"points_read", repair.points_in}, {"triangles_read", repair.triangles_in}, {"points_mended", repair.points_mended},
-          {"triangles_mended", repair.triangles_mended}, {"holes_closed", holes}};
+  return {{"points_read", repair.points_in},
+          {"triangles_read", repair.triangles_in},
+          {"points_mended", repair.points_mended},
+          {"triangles_mended", repair.triangles_mended},
+          {"holes_closed", holes}};
 }
 
 void note_shape(Command& command, const Surface& written, const SurfaceLedger& ledger) {
   Json components = Json::array();
   for (const Shell& shell : shells(written))
-    components.push_back({{"mm3", rounded(shell.volume_mm3)}, {"mm2", rounded(shell.area_mm2)}, {"genus", shell.genus},
+    components.push_back({{"mm3", rounded(shell.volume_mm3)},
+                          {"mm2", rounded(shell.area_mm2)},
+                          {"genus", shell.genus},
                           {"triangles", shell.triangles.size()}});
   command.note("components", components);
   Json regions = Json::object();
@@ -61,7 +67,9 @@ void note_shape(Command& command, const Surface& written, const SurfaceLedger& l
   command.note("smooth_mm", {rounded(ledger.sigma_mm[0]), rounded(ledger.sigma_mm[1]), rounded(ledger.sigma_mm[2])});
   command.note("lattice_mm", rounded(ledger.step_mm));
   command.note("volume_restoring_offset_mm", rounded(ledger.offset_mm));
-  command.note("angles_deg", {{"smallest", rounded(found.min_deg)}, {"largest", rounded(found.max_deg)}, {"sharpest_fold", rounded(found.min_fold_deg)},
+  command.note("angles_deg", {{"smallest", rounded(found.min_deg)},
+                              {"largest", rounded(found.max_deg)},
+                              {"sharpest_fold", rounded(found.min_fold_deg)},
                               {"sharpest_fold_at", place_of_triangle(written, found.fold_triangle)}});
 }
 

@@ -13,7 +13,8 @@ namespace palpate {
 /// "1,2" → {1, 2}. Throws Failure(misuse).
 std::set<int> label_list(const std::string& text);
 
-/// Names of the regions that occur: those of a brought surface, or from the card of the labels when there is one, else "label_<n>".
+/// Names of the regions that occur: those of a brought surface, or from the card of the labels when there is one, else
+/// "label_<n>".
 RegionNames region_names(Command& command, const Surface& surface);
 
 /// Adds the volume ledger, what was dropped and filled, and the measures of the written surface to the card.

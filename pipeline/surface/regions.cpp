@@ -59,7 +59,8 @@ std::vector<int> nearest_labels(const Surface& surface, const Labels& labels, co
     ++votes[label];
   }
   votes.erase(0);
-  const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most =
+      std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   for (int& region : regions)
     if (region == 0 && most != votes.end()) region = most->first;
   return regions;

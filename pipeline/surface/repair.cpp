@@ -80,7 +80,8 @@ void close_holes(CgalMesh& mesh, double hole_mm, RepairLedger& ledger) {
 void expect_no_crossing(const Surface& surface) {
   const auto pairs = self_intersections(surface);
   if (pairs.empty()) return;
-  throw Failure(ExitCode::check_failed, "the mended surface crosses itself at " + std::to_string(pairs.size()) + " pairs of triangles",
+  throw Failure(ExitCode::check_failed,
+                "the mended surface crosses itself at " + std::to_string(pairs.size()) + " pairs of triangles",
                 place_of_triangle(surface, pairs[0].first) + " meets " + place_of_triangle(surface, pairs[0].second),
                 "mend it in the program the surface comes from, or voxelise it and start from labels");
 }
@@ -97,13 +98,16 @@ Surface read_brought_surface(const std::filesystem::path& path) {
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(path.string(), points, polygons) || polygons.empty())
-    throw Failure(ExitCode::unreadable, "not a readable surface (damaged, truncated or another format)", path.string(), "export it again as .stl or .ply");
+    throw Failure(ExitCode::unreadable, "not a readable surface (damaged, truncated or another format)", path.string(),
+                  "export it again as .stl or .ply");
   Surface surface;
   for (const auto& p : points) surface.points.push_back(vec3(p));
   for (const auto& polygon : polygons)
-    for (std::size_t c = 2; c < polygon.size(); ++c) surface.triangles.push_back({int(polygon[0]), int(polygon[c - 1]), int(polygon[c])});
+    for (std::size_t c = 2; c < polygon.size(); ++c)
+      surface.triangles.push_back({int(polygon[0]), int(polygon[c - 1]), int(polygon[c])});
   for (const Vec3& x : surface.points)
-    if (!std::isfinite(dot(x, x))) throw Failure(ExitCode::unreadable, "points that are not finite", path.string(), "export it again");
+    if (!std::isfinite(dot(x, x)))
+      throw Failure(ExitCode::unreadable, "points that are not finite", path.string(), "export it again");
   surface.triangle_region.assign(surface.triangles.size(), 1);
   surface.region_names = {{1, "organ"}};
   return surface;
@@ -114,7 +118,8 @@ Surface repair(const Surface& brought, double hole_mm, RepairLedger& ledger) {
   CgalMesh mesh = mesh_of_soup(brought);
   ledger.points_mended = long(mesh.number_of_vertices()), ledger.triangles_mended = long(mesh.number_of_faces());
   close_holes(mesh, hole_mm, ledger);
-  if (mesh.number_of_faces() == 0) throw Failure(ExitCode::check_failed, "no triangle is left of the surface", "", "look at the file in a viewer");
+  if (mesh.number_of_faces() == 0)
+    throw Failure(ExitCode::check_failed, "no triangle is left of the surface", "", "look at the file in a viewer");
   Surface surface = from_cgal(mesh);
   expect_no_crossing(surface);
   pmp::orient_to_bound_a_volume(mesh);

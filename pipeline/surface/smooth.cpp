@@ -9,7 +9,8 @@
 namespace palpate {
 namespace {
 
-/// x += factor · (mean of the neighbours − x) where `moves`. On a closed surface every neighbour is met twice, so the mean may count sides.
+/// x += factor · (mean of the neighbours − x) where `moves`. On a closed surface every neighbour is met twice, so the mean may
+/// count sides.
 void umbrella_step(Surface& surface, double factor, const std::vector<bool>& moves) {
   std::vector<Vec3> sum(surface.points.size(), Vec3{0, 0, 0});
   std::vector<int> count(surface.points.size(), 0);
@@ -19,7 +20,8 @@ void umbrella_step(Surface& surface, double factor, const std::vector<bool>& mov
       count[t[c]] += 2;
     }
   for (std::size_t p = 0; p < surface.points.size(); ++p)
-    if (moves[p] && count[p] > 0) surface.points[p] = surface.points[p] + factor * ((1.0 / count[p]) * sum[p] - surface.points[p]);
+    if (moves[p] && count[p] > 0)
+      surface.points[p] = surface.points[p] + factor * ((1.0 / count[p]) * sum[p] - surface.points[p]);
 }
 
 /// One third of the area vectors of the triangles around each point.

@@ -11,7 +11,8 @@ namespace palpate {
 /// λ = 0.5, μ = −0.53 (Taubin 1995, pass band 0.1).
 void taubin_smooth(Surface& surface, int passes);
 
-/// Draws the points of the given triangles, and those within `rings` edges of them, towards the mean of their neighbours, `passes` times by half.
+/// Draws the points of the given triangles, and those within `rings` edges of them, towards the mean of their neighbours,
+/// `passes` times by half.
 void relax_around(Surface& surface, const std::vector<int>& triangles, int rings, int passes);
 
 /// Moves all points along their normals by one distance so that the surface encloses `mm3` (Newton, dV/dδ = Σ |a_v|, a_v the area

@@ -32,10 +32,12 @@ Built build(const Labels& labels, const SurfaceOptions& options = {}) {
 void expect_sound(const Built& built) {
   SurfaceLimits limits;
   limits.volume_mm3 = built.ledger.voxels_mm3;
-  for (const Check& check : surface_checks(built.surface, limits)) EXPECT_TRUE(check.pass) << check.name << " " << check.value << " " << check.where;
+  for (const Check& check : surface_checks(built.surface, limits))
+    EXPECT_TRUE(check.pass) << check.name << " " << check.value << " " << check.where;
 }
 
-/// How far a surface is from a ball of radius R about the origin: in place, and in direction (a staircase is near in place, not in direction).
+/// How far a surface is from a ball of radius R about the origin: in place, and in direction (a staircase is near in place, not
+/// in direction).
 struct BallError {
   double worst_mm = 0, mean_mm = 0, worst_deg = 0, mean_deg = 0;
 };

@@ -8,8 +8,10 @@
 
 namespace palpate::test {
 
-/// Labels 1 where inside(x) at the voxel's centre, in a box of ±half_mm around the origin. `left_handed` turns the first axis round.
-inline Labels labels_of(const Vec3& half_mm, const Vec3& spacing, const std::function<bool(const Vec3&)>& inside, bool left_handed = false) {
+/// Labels 1 where inside(x) at the voxel's centre, in a box of ±half_mm around the origin. `left_handed` turns the first axis
+/// round.
+inline Labels labels_of(const Vec3& half_mm, const Vec3& spacing, const std::function<bool(const Vec3&)>& inside,
+                        bool left_handed = false) {
   Labels labels;
   Affine& map = labels.grid.lps_from_voxel;
   for (int a = 0; a < 3; ++a) {
