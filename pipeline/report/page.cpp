@@ -5,6 +5,8 @@
 #include <set>
 #include <string_view>
 
+#include <palpate/card.hpp>
+#include <palpate/errors.hpp>
 #include <pipeline/report/facts.hpp>
 #include <pipeline/report/html.hpp>
 
@@ -113,7 +115,13 @@ std::string mesh_html(const Study& study, const Drawings& drawings) {
   if (drawings.mesh.empty()) return "";
   const Json& card = card_of(study, "palpate-mesh");
   const Json quality = card.is_object() && card.contains("notes") && card["notes"].is_object() ? card["notes"].value("quality", Json()) : Json();
-  return pictures_html(drawings.mesh, "Tetrahedral mesh", "pictures") + histogram_html(quality) + quality_table(quality) +
+  std::string shape;
+  try {
+    shape = histogram_html(quality) + quality_table(quality);
+  } catch (const Json::exception& error) {
+    throw Failure(ExitCode::unreadable, std::string("the quality of the mesh is not readable: ") + error.what(), card_path(study.mesh).string(), "run palpate-mesh again");
+  }
+  return pictures_html(drawings.mesh, "Tetrahedral mesh", "pictures") + shape +
          notes_html(study, "palpate-mesh", "Mesh in numbers", {"quality"});
 }
 

@@ -25,11 +25,28 @@ Json read_object(const fs::path& path) {
   return json;
 }
 
+/// What the page reads of every card has its type.
+void expect_card(const Json& card, const fs::path& path) {
+  try {
+    card.value("tool", "");
+    card.value("version", "");
+    card.value("seconds", 0.0);
+    for (const Json& check : card.value("checks", Json::array())) {
+      check.value("name", "");
+      check.value("limit", "");
+      check.value("pass", false);
+    }
+  } catch (const Json::exception& error) {
+    damaged(path, std::string("not a card: ") + error.what());
+  }
+}
+
 Stage read_stage(Study& study, const std::string& name, const fs::path& output) {
   Stage stage{name, output, nullptr};
   const fs::path card = card_path(output);
   if (fs::is_regular_file(card)) {
     stage.card = read_object(card);
+    expect_card(stage.card, card);
     study.files_read.push_back(card);
   }
   return stage;

@@ -55,6 +55,10 @@ bad && : >bad/solve/fung_demiray/history.csv
 expect 3 'history.csv' report bad bad.html
 bad && head -c 300 bad/mesh.vtu.card.json >cut && cp cut bad/mesh.vtu.card.json
 expect 3 'mesh.vtu.card.json' report bad bad.html
+bad && sed -i 's/"bin_deg": 10/"bin_deg": "ten"/' bad/mesh.vtu.card.json
+expect 3 'mesh.vtu.card.json' report bad bad.html
+bad && sed -i 's/"pass": true/"pass": "yes"/' bad/mesh.vtu.card.json
+expect 3 'mesh.vtu.card.json' report bad bad.html
 bad && echo '[1, 2]' >bad/study.json
 expect 3 'study.json' report bad bad.html
 bad && echo '{"title": "x", "stages": [{"output": "mesh.vtu"}]}' >bad/study.json
@@ -82,7 +86,7 @@ for _ in $(seq 400); do
   sleep 0.01
 done
 kill -9 "$victim" || fail "the report was done before it could be killed"
-wait "$victim" 2>/dev/null || true
+wait "$victim" 2>/dev/null || true  # the shell says "Killed": that is meant
 [ -n "$server" ] || fail "no X server was seen"
 runs() { grep -qsE '^State:[[:space:]]*[^Z]' "/proc/$1/status"; }  # a zombie that nobody waits for does not run
 for _ in $(seq 200); do runs "$server" || break; sleep 0.05; done
