@@ -24,10 +24,12 @@ std::string place_text(const Vec3& x) {
 }
 
 /// The values of a field, `components` per item.
-std::vector<double> values_of(const std::vector<Field>& fields, const std::string& name, int components, std::size_t items, const fs::path& file) {
+std::vector<double> values_of(const std::vector<Field>& fields, const std::string& name, int components, std::size_t items,
+                              const fs::path& file) {
   for (const Field& field : fields) {
     if (field.name != name) continue;
-    if (field.components != components || field.values.size() != components * items) damaged(file, "the field " + name + " does not fit the mesh");
+    if (field.components != components || field.values.size() != components * items)
+      damaged(file, "the field " + name + " does not fit the mesh");
     return field.values;
   }
   damaged(file, "the field " + name + " is missing");
@@ -123,7 +125,8 @@ Drawings draw_study(const Study& study, const std::function<void(const std::stri
     drawings.displacement_scale_mm = std::max(drawings.displacement_scale_mm, frame.drawing.largest_displacement_mm);
     drawings.stress_scale_mpa = std::max(drawings.stress_scale_mpa, frame.stress_scale_mpa);
   }
-  const double displacement_top = std::max(drawings.displacement_scale_mm, 1e-12), stress_top = std::max(drawings.stress_scale_mpa, 1e-12);
+  const double displacement_top = std::max(drawings.displacement_scale_mm, 1e-12),
+               stress_top = std::max(drawings.stress_scale_mpa, 1e-12);
   const Surface surface = study.surface.empty() ? Surface{} : read_surface(study.surface);  // all files before the first picture
   const TetMesh mesh = study.mesh.empty() ? TetMesh{} : read_mesh(study.mesh);
   const PrivateDisplay display;

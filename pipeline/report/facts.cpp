@@ -69,10 +69,12 @@ std::string pressing_sentence(const Study& study) {
     deep = std::max(deep, facts.depth_reached_mm);
   }
   const Solve& first = study.solves.front();
-  std::string text = "When " + tool_words(first.summary) + " presses " + range_text(shallow, deep, "mm") + " deep, " + organ(study) +
-                     " resists with a peak force of " + range_text(low * unit.per_newton, high * unit.per_newton, unit.name);
+  std::string text = "When " + tool_words(first.summary) + " presses " + range_text(shallow, deep, "mm") + " deep, " +
+                     organ(study) + " resists with a peak force of " +
+                     range_text(low * unit.per_newton, high * unit.per_newton, unit.name);
   if (study.solves.size() > 1) return text + ", depending on the law (" + std::to_string(study.solves.size()) + " compared).";
-  if (first.summary.contains("law") && first.summary["law"].is_string()) text += " (" + first.summary["law"].get<std::string>() + ")";
+  if (first.summary.contains("law") && first.summary["law"].is_string())
+    text += " (" + first.summary["law"].get<std::string>() + ")";
   return text + ".";
 }
 
@@ -115,7 +117,8 @@ ForceUnit force_unit(const Study& study) {
 CheckCount checks_of(const Json& card) {
   CheckCount count;
   if (card.is_object() && card.contains("checks") && card["checks"].is_array())
-    for (const Json& check : card["checks"]) ++(check.is_object() && check.contains("pass") && check["pass"] == true ? count.passed : count.failed);
+    for (const Json& check : card["checks"])
+      ++(check.is_object() && check.contains("pass") && check["pass"] == true ? count.passed : count.failed);
   return count;
 }
 
@@ -152,14 +155,17 @@ std::vector<Tile> tiles(const Study& study) {
     area = std::max(area, facts.contact_area_mm2);
   }
   if (!study.solves.empty()) {
-    list.push_back({study.solves.size() > 1 ? "largest peak force" : "peak force", readable(force * unit.per_newton, 3), unit.name});
+    list.push_back(
+        {study.solves.size() > 1 ? "largest peak force" : "peak force", readable(force * unit.per_newton, 3), unit.name});
     list.push_back({"depth reached", readable(depth, 3), "mm"});
     if (area > 0) list.push_back({"contact area", readable(area, 3), "mm²"});
   }
   const Json &mesh = notes_of(study, "palpate-mesh"), &surface = notes_of(study, "palpate-surface");
   const double volume = number_of(mesh, "volume_mm3"), tets = number_of(mesh, "tets");
-  if (std::isfinite(volume)) list.push_back({"volume", readable(volume / 1000, 3), "ml"});
-  else if (std::isfinite(number_of(surface, "volume_mm3"))) list.push_back({"volume", readable(number_of(surface, "volume_mm3") / 1000, 3), "ml"});
+  if (std::isfinite(volume))
+    list.push_back({"volume", readable(volume / 1000, 3), "ml"});
+  else if (std::isfinite(number_of(surface, "volume_mm3")))
+    list.push_back({"volume", readable(number_of(surface, "volume_mm3") / 1000, 3), "ml"});
   if (std::isfinite(tets)) list.push_back({"tetrahedra", readable(tets, 15), ""});
   const std::string angle = smallest_angle(mesh);
   if (!angle.empty()) list.push_back({"smallest dihedral", angle, "°"});

@@ -13,8 +13,8 @@ struct SolveFacts {
   double peak_force_N = 0, depth_at_peak_mm = 0, depth_reached_mm = 0, depth_asked_mm = 0;  ///< asked is 0 when unknown
   double contact_area_mm2 = 0;                                                              ///< the largest
   long steps = 0, iterations = 0;
-  double smallest_J = 0;    ///< 0 when unknown
-  std::string law;          ///< "neo_hookean: mu 0.00667"; empty when unknown
+  double smallest_J = 0;  ///< 0 when unknown
+  std::string law;        ///< "neo_hookean: mu 0.00667"; empty when unknown
 };
 SolveFacts facts_of(const Solve& solve);
 

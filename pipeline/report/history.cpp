@@ -21,7 +21,8 @@ std::vector<std::string> split(const std::string& line) {
 }
 
 [[noreturn]] void damaged(const std::filesystem::path& path, std::size_t line, const std::string& what) {
-  throw Failure(ExitCode::unreadable, what, path.string() + ", line " + std::to_string(line), "run palpate-solve again; it writes this file");
+  throw Failure(ExitCode::unreadable, what, path.string() + ", line " + std::to_string(line),
+                "run palpate-solve again; it writes this file");
 }
 
 double finite_number(const std::string& word, const std::string& column, const std::filesystem::path& path, std::size_t line) {
@@ -49,7 +50,8 @@ History read_history(const std::filesystem::path& path) {
   for (std::size_t number = 2; std::getline(lines, line); ++number) {
     const auto words = split(line);
     if (words.size() != history.names.size())
-      damaged(path, number, std::to_string(words.size()) + " numbers under " + std::to_string(history.names.size()) + " column names");
+      damaged(path, number,
+              std::to_string(words.size()) + " numbers under " + std::to_string(history.names.size()) + " column names");
     for (std::size_t c = 0; c < words.size(); ++c)
       history.columns[c].push_back(finite_number(words[c], history.names[c], path, number));
   }

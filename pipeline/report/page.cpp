@@ -19,13 +19,16 @@ extern const std::string_view chart_js, page_css, page_js;
 namespace {
 
 std::string section(const std::string& id, const std::string& title, const std::string& body) {
-  return body.empty() ? "" : "<section id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n<h2 id=\"" + id + "-title\">" + title + "</h2>\n" + body + "</section>\n";
+  return body.empty() ? ""
+                      : "<section id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n<h2 id=\"" + id + "-title\">" + title +
+                            "</h2>\n" + body + "</section>\n";
 }
 
 std::string wide(const std::string& table) { return "<div class=\"wide\">" + table + "</div>\n"; }
 
 /// The free facts of a stage, without what is shown elsewhere.
-std::string notes_html(const Study& study, const std::string& tool, const std::string& title, const std::set<std::string>& shown_elsewhere) {
+std::string notes_html(const Study& study, const std::string& tool, const std::string& title,
+                       const std::set<std::string>& shown_elsewhere) {
   const Json& card = card_of(study, tool);
   if (!card.is_object() || !card.contains("notes") || !card["notes"].is_object()) return "";
   Json rest = Json::object();
@@ -47,15 +50,15 @@ std::string stage_strip(const Study& study) {
     const bool timed = stage.card.is_object() && stage.card.contains("seconds") && stage.card["seconds"].is_number();
     const std::string state = count.failed > 0 ? "fail" : count.passed > 0 ? "pass" : "none";
     html += "<li><a class=\"" + state + "\" href=\"#card-" + std::to_string(i) + "\"><b>" + escaped(stage.name) + "</b><span>" +
-            (timed ? readable(stage.card["seconds"].get<double>(), 3) + " s · " : "") + (stage.card.is_null() ? "no card" : checks_text(count)) +
-            "</span></a></li>\n";
+            (timed ? readable(stage.card["seconds"].get<double>(), 3) + " s · " : "") +
+            (stage.card.is_null() ? "no card" : checks_text(count)) + "</span></a></li>\n";
   }
   return html + "</ol>\n";
 }
 
 std::string head_html(const Study& study) {
-  std::string html = "<header class=\"top\">\n<p class=\"kind\">Palpate study</p>\n<h1>" + escaped(study.title) + "</h1>\n<p class=\"lead\">" +
-                     escaped(result_sentence(study)) + "</p>\n<dl class=\"tiles\">\n";
+  std::string html = "<header class=\"top\">\n<p class=\"kind\">Palpate study</p>\n<h1>" + escaped(study.title) +
+                     "</h1>\n<p class=\"lead\">" + escaped(result_sentence(study)) + "</p>\n<dl class=\"tiles\">\n";
   for (const Tile& tile : tiles(study))
     html += "<div><dt>" + escaped(tile.label) + "</dt><dd>" + tile.value + " <small>" + tile.unit + "</small></dd></div>\n";
   return html + "</dl>\n" + stage_strip(study) + "</header>\n";
@@ -64,7 +67,8 @@ std::string head_html(const Study& study) {
 std::string sheet_html(const Study& study) {
   if (study.sheet_png.empty()) return "";
   return "<p>Slices of the scan with the contour of the labels drawn: does the line follow the organ?</p>\n"
-         "<figure class=\"sheet\"><img alt=\"Contact sheet: slices of the scan with the contour of the labels\" src=\"data:image/png;base64," +
+         "<figure class=\"sheet\"><img alt=\"Contact sheet: slices of the scan with the contour of the labels\" "
+         "src=\"data:image/png;base64," +
          base64(study.sheet_png) + "\"></figure>\n" + notes_html(study, "palpate-segment", "Labels in numbers", {});
 }
 
@@ -88,17 +92,21 @@ std::string histogram_html(const Json& quality) {
   if (!histogram.contains("bin_deg") || !histogram.contains("count")) return "";
   const double bin = histogram["bin_deg"].get<double>();
   Json labels = Json::array();
-  for (std::size_t i = 0; i < histogram["count"].size(); ++i) labels.push_back(readable(bin * i) + "–" + readable(bin * (i + 1)) + "°");
-  const Json plot = {{"kind", "bars"}, {"x", "dihedral angle"}, {"y", "angles"}, {"labels", labels}, {"counts", histogram["count"]}};
-  return "<h3>Shape of the tetrahedra</h3>\n<p class=\"hint\">All six dihedral angles of every tetrahedron; the regular one has 70.5°, flat ones have angles near 0° and 180°.</p>\n" +
+  for (std::size_t i = 0; i < histogram["count"].size(); ++i)
+    labels.push_back(readable(bin * i) + "–" + readable(bin * (i + 1)) + "°");
+  const Json plot = {
+      {"kind", "bars"}, {"x", "dihedral angle"}, {"y", "angles"}, {"labels", labels}, {"counts", histogram["count"]}};
+  return "<h3>Shape of the tetrahedra</h3>\n<p class=\"hint\">All six dihedral angles of every tetrahedron; the regular one has "
+         "70.5°, flat ones have angles near 0° and 180°.</p>\n" +
          plot_figure("plot-quality", plot, "Histogram of the dihedral angles of the mesh", "plot low");
 }
 
 /// min, 1 % and median of each measure in the mesh card's "quality".
 std::string quality_table(const Json& quality) {
   std::string rows;
-  for (const auto& [key, title] : {std::pair{"dihedral_deg", "smallest dihedral angle (°)"}, std::pair{"radius_ratio", "radius ratio 3r/R"},
-                                   std::pair{"scaled_jacobian", "scaled Jacobian"}}) {
+  for (const auto& [key, title] :
+       {std::pair{"dihedral_deg", "smallest dihedral angle (°)"}, std::pair{"radius_ratio", "radius ratio 3r/R"},
+        std::pair{"scaled_jacobian", "scaled Jacobian"}}) {
     if (!quality.is_object() || !quality.contains(key)) continue;
     std::vector<std::string> cells{title};
     for (const char* column : {"min", "one_percent", "median"}) {
@@ -108,18 +116,21 @@ std::string quality_table(const Json& quality) {
     rows += table_row(cells, "td", 1);
   }
   if (rows.empty()) return "";
-  return wide("<table><thead>" + table_row({"quality", "minimum", "1 % below", "median"}, "th", 1) + "</thead><tbody>" + rows + "</tbody></table>");
+  return wide("<table><thead>" + table_row({"quality", "minimum", "1 % below", "median"}, "th", 1) + "</thead><tbody>" + rows +
+              "</tbody></table>");
 }
 
 std::string mesh_html(const Study& study, const Drawings& drawings) {
   if (drawings.mesh.empty()) return "";
   const Json& card = card_of(study, "palpate-mesh");
-  const Json quality = card.is_object() && card.contains("notes") && card["notes"].is_object() ? card["notes"].value("quality", Json()) : Json();
+  const Json quality =
+      card.is_object() && card.contains("notes") && card["notes"].is_object() ? card["notes"].value("quality", Json()) : Json();
   std::string shape;
   try {
     shape = histogram_html(quality) + quality_table(quality);
   } catch (const Json::exception& error) {
-    throw Failure(ExitCode::unreadable, std::string("the quality of the mesh is not readable: ") + error.what(), card_path(study.mesh).string(), "run palpate-mesh again");
+    throw Failure(ExitCode::unreadable, std::string("the quality of the mesh is not readable: ") + error.what(),
+                  card_path(study.mesh).string(), "run palpate-mesh again");
   }
   return pictures_html(drawings.mesh, "Tetrahedral mesh", "pictures") + shape +
          notes_html(study, "palpate-mesh", "Mesh in numbers", {"quality"});
@@ -129,7 +140,8 @@ std::string force_plot(const Study& study) {
   const ForceUnit unit = force_unit(study);
   Json series = Json::array();
   for (const Solve& solve : study.solves) {
-    const auto &depths = solve.history.column("depth[mm]"), &forces = solve.history.column("F[N]"), &areas = solve.history.column("contact_area[mm2]");
+    const auto &depths = solve.history.column("depth[mm]"), &forces = solve.history.column("F[N]"),
+               &areas = solve.history.column("contact_area[mm2]");
     Json points = Json::array();
     for (std::size_t i = 0; i < depths.size(); ++i) {
       Json point = {depths[i], forces[i] * unit.per_newton};
@@ -138,7 +150,11 @@ std::string force_plot(const Study& study) {
     }
     series.push_back({{"name", solve.name}, {"points", std::move(points)}});
   }
-  const Json plot = {{"kind", "lines"}, {"x", "depth (mm)"}, {"y", "force (" + unit.name + ")"}, {"more", "contact area (mm²)"}, {"series", series}};
+  const Json plot = {{"kind", "lines"},
+                     {"x", "depth (mm)"},
+                     {"y", "force (" + unit.name + ")"},
+                     {"more", "contact area (mm²)"},
+                     {"series", series}};
   return plot_figure("plot-force", plot, "Force over depth of every solve; the same numbers are in the table below", "plot");
 }
 
@@ -147,39 +163,54 @@ std::string solves_table(const Study& study) {
   std::string rows;
   for (const Solve& solve : study.solves) {
     const SolveFacts facts = facts_of(solve);
-    rows += table_row({escaped(solve.name), readable(facts.peak_force_N * unit.per_newton), readable(facts.depth_at_peak_mm, 3),
-                       readable(facts.depth_reached_mm, 3) + (facts.depth_asked_mm > 0 ? " of " + readable(facts.depth_asked_mm, 3) : ""),
-                       facts.contact_area_mm2 > 0 ? readable(facts.contact_area_mm2, 3) : "–", std::to_string(facts.steps - 1),
-                       std::to_string(facts.iterations), facts.smallest_J > 0 ? readable(facts.smallest_J) : "–"},
-                      "td", 1);
+    rows += table_row(
+        {escaped(solve.name), readable(facts.peak_force_N * unit.per_newton), readable(facts.depth_at_peak_mm, 3),
+         readable(facts.depth_reached_mm, 3) + (facts.depth_asked_mm > 0 ? " of " + readable(facts.depth_asked_mm, 3) : ""),
+         facts.contact_area_mm2 > 0 ? readable(facts.contact_area_mm2, 3) : "–", std::to_string(facts.steps - 1),
+         std::to_string(facts.iterations), facts.smallest_J > 0 ? readable(facts.smallest_J) : "–"},
+        "td", 1);
   }
-  const std::vector<std::string> heads{"solve", "peak force (" + unit.name + ")", "at depth (mm)", "depth reached (mm)", "largest contact area (mm²)",
-                                       "steps", "Newton iterations", "smallest J"};
+  const std::vector<std::string> heads{"solve",
+                                       "peak force (" + unit.name + ")",
+                                       "at depth (mm)",
+                                       "depth reached (mm)",
+                                       "largest contact area (mm²)",
+                                       "steps",
+                                       "Newton iterations",
+                                       "smallest J"};
   std::string laws;
   for (const Solve& solve : study.solves)
-    if (const std::string law = facts_of(solve).law; !law.empty()) laws += "<li><b>" + escaped(solve.name) + "</b> " + escaped(law) + "</li>\n";
+    if (const std::string law = facts_of(solve).law; !law.empty())
+      laws += "<li><b>" + escaped(solve.name) + "</b> " + escaped(law) + "</li>\n";
   return wide("<table><thead>" + table_row(heads, "th", 1) + "</thead><tbody>" + rows + "</tbody></table>") +
-         (laws.empty() ? "" : "<p class=\"hint laws\">Laws and their parameters (stresses in MPa):</p><ul class=\"hint\">\n" + laws + "</ul>\n");
+         (laws.empty() ? ""
+                       : "<p class=\"hint laws\">Laws and their parameters (stresses in MPa):</p><ul class=\"hint\">\n" + laws +
+                             "</ul>\n");
 }
 
 std::string force_html(const Study& study) {
   if (study.solves.empty()) return "";
-  return "<p class=\"hint\">Force along the tool's axis, positive when the organ resists. Point at a curve for its values.</p>\n" + force_plot(study) +
-         solves_table(study);
+  return "<p class=\"hint\">Force along the tool's axis, positive when the organ resists. Point at a curve for its "
+         "values.</p>\n" +
+         force_plot(study) + solves_table(study);
 }
 
 std::string pressed_html(const Drawings& drawings) {
   if (drawings.pressed.empty()) return "";
-  std::string html = "<p class=\"hint\">Each solve at its greatest depth, not magnified. <span class=\"key\" style=\"background: #bf267d\"></span> the organ at rest. "
-                     "Stress is drawn as computed, one value per tetrahedron; its colours end where 99.5 % of the tetrahedra lie below, the same in all pictures.</p>\n";
+  std::string html =
+      "<p class=\"hint\">Each solve at its greatest depth, not magnified. <span class=\"key\" style=\"background: "
+      "#bf267d\"></span> the organ at rest. "
+      "Stress is drawn as computed, one value per tetrahedron; its colours end where 99.5 % of the tetrahedra lie below, the "
+      "same in all pictures.</p>\n";
   for (const PressedDrawing& drawing : drawings.pressed) {
     html += "<h3>" + escaped(drawing.solve) + " at " + readable(drawing.depth_mm, 3) + " mm</h3>\n<div class=\"pictures\">\n";
     const std::string what = "Organ pressed with " + drawing.solve;
     html += picture_figure(drawing.outside, what + ", from outside, coloured by displacement",
                            "outside; largest displacement " + readable(drawing.largest_displacement_mm, 3) + " mm");
     for (const auto& [name, picture] : drawing.sections)
-      html += picture_figure(picture, what + ", section along the tool's axis coloured by von Mises stress, " + name,
-                             escaped(name) + "; largest von Mises stress " + readable(drawing.largest_stress_mpa * 1000, 3) + " kPa");
+      html +=
+          picture_figure(picture, what + ", section along the tool's axis coloured by von Mises stress, " + name,
+                         escaped(name) + "; largest von Mises stress " + readable(drawing.largest_stress_mpa * 1000, 3) + " kPa");
     html += "</div>\n";
   }
   return html + colour_bar("displacement", Tones::displacement, readable(drawings.displacement_scale_mm, 3) + " mm") +
@@ -199,20 +230,24 @@ std::string checks_html(const Study& study) {
     for (const Json& check : stage.card["checks"]) {
       const bool pass = check.value("pass", false);
       rows += std::string(pass ? "<tr>" : "<tr class=\"fail\">") + "<td>" + escaped(stage.name) + "</td><th scope=\"row\">" +
-              escaped(check.value("name", "")) + "</th><td class=\"n\">" + check_value(check.value("value", Json())) + "</td><td>" +
-              escaped(check.value("limit", "")) + "</td><td class=\"" + (pass ? "pass-mark\">✓ pass" : "fail-mark\">✗ fail") + "</td></tr>\n";
+              escaped(check.value("name", "")) + "</th><td class=\"n\">" + check_value(check.value("value", Json())) +
+              "</td><td>" + escaped(check.value("limit", "")) + "</td><td class=\"" +
+              (pass ? "pass-mark\">✓ pass" : "fail-mark\">✗ fail") + "</td></tr>\n";
     }
   }
   if (rows.empty()) return "";
-  return wide("<table><thead><tr><th scope=\"col\">stage</th><th scope=\"col\">check</th><th scope=\"col\" class=\"n\">value</th>"
-              "<th scope=\"col\">limit</th><th scope=\"col\">verdict</th></tr></thead><tbody>\n" + rows + "</tbody></table>");
+  return wide(
+      "<table><thead><tr><th scope=\"col\">stage</th><th scope=\"col\">check</th><th scope=\"col\" class=\"n\">value</th>"
+      "<th scope=\"col\">limit</th><th scope=\"col\">verdict</th></tr></thead><tbody>\n" +
+      rows + "</tbody></table>");
 }
 
 std::string warnings_html(const Study& study) {
   std::string items;
   for (const Stage& stage : study.stages)
     if (stage.card.is_object() && stage.card.contains("warnings") && stage.card["warnings"].is_array())
-      for (const Json& warning : stage.card["warnings"]) items += "<li><b>" + escaped(stage.name) + "</b> " + check_value(warning) + "</li>\n";
+      for (const Json& warning : stage.card["warnings"])
+        items += "<li><b>" + escaped(stage.name) + "</b> " + check_value(warning) + "</li>\n";
   return items.empty() ? "" : "<h3>Warnings</h3>\n<ul>\n" + items + "</ul>\n";
 }
 
@@ -221,13 +256,14 @@ std::string cards_html(const Study& study) {
   for (std::size_t i = 0; i < study.stages.size(); ++i) {
     const Stage& stage = study.stages[i];
     if (stage.card.is_null()) continue;
-    html += "<details id=\"card-" + std::to_string(i) + "\"><summary>" + escaped(stage.name) + " <span>" + escaped(stage.card.value("tool", "")) + " " +
-            escaped(stage.card.value("version", "")) + "</span></summary>\n<pre tabindex=\"0\">" + escaped(stage.card.dump(2)) + "</pre></details>\n";
+    html += "<details id=\"card-" + std::to_string(i) + "\"><summary>" + escaped(stage.name) + " <span>" +
+            escaped(stage.card.value("tool", "")) + " " + escaped(stage.card.value("version", "")) +
+            "</span></summary>\n<pre tabindex=\"0\">" + escaped(stage.card.dump(2)) + "</pre></details>\n";
   }
   for (const Solve& solve : study.solves)
     if (!solve.summary.empty())
-      html += "<details><summary>" + escaped(solve.name) + " <span>summary.json</span></summary>\n<pre tabindex=\"0\">" + escaped(solve.summary.dump(2)) +
-              "</pre></details>\n";
+      html += "<details><summary>" + escaped(solve.name) + " <span>summary.json</span></summary>\n<pre tabindex=\"0\">" +
+              escaped(solve.summary.dump(2)) + "</pre></details>\n";
   return html;
 }
 
@@ -246,16 +282,20 @@ const char* const policy = "default-src 'none'; img-src data:; style-src 'unsafe
 /// Collects what goes wrong before page.js runs.
 const char* const error_catcher =
     "window.pageErrors = [];\n"
-    "addEventListener(\"error\", e => window.pageErrors.push(String(e.message || (e.target && e.target.tagName + \" does not load\"))), true);\n"
+    "addEventListener(\"error\", e => window.pageErrors.push(String(e.message || (e.target && e.target.tagName + \" does not "
+    "load\"))), true);\n"
     "addEventListener(\"unhandledrejection\", e => window.pageErrors.push(String(e.reason)));\n"
     "addEventListener(\"securitypolicyviolation\", e => window.pageErrors.push(\"blocked: \" + e.blockedURI));\n";
 
 }  // namespace
 
 std::string page_html(const Study& study, const Drawings& drawings) {
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "
+      "content=\"";
   html += policy;
-  html += "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(study.title) + "</title>\n<style>\n";
+  html += "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(study.title) +
+          "</title>\n<style>\n";
   html += embedded::page_css;
   html += "</style>\n<script>\n";
   html += error_catcher;

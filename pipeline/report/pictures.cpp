@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCutter.h>
+#include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -109,7 +110,8 @@ Triangles skin(const TetMesh& mesh) {
   return triangles;
 }
 
-/// The direction across the organ's broad side: of the patient's axes made perpendicular to `axis`, the one along which it is thinnest.
+/// The direction across the organ's broad side: of the patient's axes made perpendicular to `axis`, the one along which it is
+/// thinnest.
 Vec3 thin_direction(const std::vector<Vec3>& points, const Vec3& axis) {
   Vec3 best{0, 1, 0};
   double thinnest = std::numeric_limits<double>::infinity();
@@ -130,7 +132,8 @@ Vec3 thin_direction(const std::vector<Vec3>& points, const Vec3& axis) {
   return best;
 }
 
-void add_regions(Scene& scene, const std::vector<Vec3>& points, const Triangles& triangles, const std::vector<int>& regions, bool edges, bool pale) {
+void add_regions(Scene& scene, const std::vector<Vec3>& points, const Triangles& triangles, const std::vector<int>& regions,
+                 bool edges, bool pale) {
   for (int region : std::set<int>(regions.begin(), regions.end())) {
     Triangles own;
     for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -155,25 +158,15 @@ void add_tool(Scene& scene, const std::optional<Tool>& tool) {
   scene.add(normals->GetOutput(), {.colour = steel});
 }
 
-vtkSmartPointer<vtkPolyData> cut(vtkUnstructuredGrid& grid, const Vec3& origin, const Vec3& normal) {
+/// Polygons of a grid, lines of a surface.
+vtkSmartPointer<vtkPolyData> cut(vtkDataSet& shape, const Vec3& origin, const Vec3& normal) {
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(origin.data());
   plane->SetNormal(normal.data());
   vtkNew<vtkCutter> cutter;
-  cutter->SetInputData(&grid);
+  cutter->SetInputData(&shape);
   cutter->SetCutFunction(plane);
   cutter->GenerateTrianglesOff();
-  cutter->Update();
-  return cutter->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> outline(vtkPolyData& surface, const Vec3& origin, const Vec3& normal) {
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(origin.data());
-  plane->SetNormal(normal.data());
-  vtkNew<vtkCutter> cutter;
-  cutter->SetInputData(&surface);
-  cutter->SetCutFunction(plane);
   cutter->Update();
   return cutter->GetOutput();
 }
@@ -209,7 +202,8 @@ std::vector<NamedPicture> surface_pictures(const Surface& surface) {
     const char* name;
     Vec3 toward, up;
   };
-  const Side sides[] = {{"from the front", {0, 1, 0}, {0, 0, 1}}, {"from the left", {-1, 0, 0}, {0, 0, 1}}, {"from above", {0, 0, -1}, {0, -1, 0}}};
+  const Side sides[] = {
+      {"from the front", {0, 1, 0}, {0, 0, 1}}, {"from the left", {-1, 0, 0}, {0, 0, 1}}, {"from above", {0, 0, -1}, {0, -1, 0}}};
   double width = 0, height = 0;
   for (const Side& side : sides) {
     const View view = fit_view(surface.points, side.toward, side.up);
@@ -282,13 +276,14 @@ std::vector<NamedPicture> pressed_sections(const Pressed& pressed, double stress
   const Triangles triangles = skin(pressed.mesh);
   const Cut where = cut_of(pressed);
   auto section = cut(*grid_of(pressed), where.origin, where.normal);
-  auto rest = outline(*shape_of(pressed.mesh.points, triangles), where.origin, where.normal);
-  auto edge = outline(*shape_of(moved(pressed), triangles), where.origin, where.normal);
+  auto rest = cut(*shape_of(pressed.mesh.points, triangles), where.origin, where.normal);
+  auto edge = cut(*shape_of(moved(pressed), triangles), where.origin, where.normal);
   std::vector<NamedPicture> pictures;
   for (const bool near : {false, true}) {
     if (near && !pressed.tool) break;
     Scene scene;
-    scene.add(section.Get(), {.edges = near, .lit = false, .line_width = 0.5, .field = "von_mises", .tones = Tones::stress, .top = stress_mpa});
+    scene.add(section.Get(),
+              {.edges = near, .lit = false, .line_width = 0.5, .field = "von_mises", .tones = Tones::stress, .top = stress_mpa});
     scene.add(edge, {.colour = ink, .lit = false, .line_width = 1.2, .layer = 1});
     scene.add(rest, {.colour = rest_line, .lit = false, .line_width = 1.5, .layer = 3});
     std::vector<Vec3> seen = used_points(pressed.mesh.points, triangles);

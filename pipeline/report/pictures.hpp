@@ -28,7 +28,8 @@ struct Pressed {
 /// Outside, coloured by the length of the displacement from 0 to `displacement_mm`; the line is the organ at rest.
 Picture pressed_outside(const Pressed& pressed, double displacement_mm);
 
-/// The cut along the tool's axis, coloured by the von Mises stress from 0 to `stress_mpa`: whole, and near the contact with its elements.
+/// The cut along the tool's axis, coloured by the von Mises stress from 0 to `stress_mpa`: whole, and near the contact with its
+/// elements.
 std::vector<NamedPicture> pressed_sections(const Pressed& pressed, double stress_mpa);
 
 }  // namespace palpate

@@ -1,5 +1,5 @@
-// Xvfb as a child: -displayfd tells the number it chose; PR_SET_PDEATHSIG ends it with us, and it then removes its socket and lock.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Xvfb as a child: -displayfd tells the number it chose; PR_SET_PDEATHSIG ends it with us, and it then removes its socket and
+// lock. SPDX-License-Identifier: GPL-3.0-or-later
 #include <pipeline/report/private_display.hpp>
 
 #include <fcntl.h>
@@ -26,9 +26,12 @@ constexpr int start_milliseconds = 30000;  // 0.1 s is usual; a loaded machine m
   const int nowhere = open("/dev/null", O_RDWR);
   for (int standard : {0, 1, 2}) dup2(nowhere, standard);
   constexpr int number_fd = 3;
-  if (write_end == number_fd) fcntl(write_end, F_SETFD, 0);
-  else dup2(write_end, number_fd);
-  execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "64x64x24", "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
+  if (write_end == number_fd)
+    fcntl(write_end, F_SETFD, 0);
+  else
+    dup2(write_end, number_fd);
+  execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "64x64x24", "-nolisten", "tcp", "-noreset",
+         static_cast<char*>(nullptr));
   _exit(127);
 }
 

@@ -33,7 +33,8 @@ constexpr int oversampling = 2;
 /// Brewer's sequences (colorbrewer2.org, Apache 2) as VTK keeps them, without the palest.
 std::vector<vtkColor3ub> colours_of(Tones tones) {
   vtkNew<vtkColorSeries> series;
-  series->SetColorScheme(tones == Tones::stress ? vtkColorSeries::BREWER_SEQUENTIAL_YELLOW_ORANGE_BROWN_9 : vtkColorSeries::BREWER_SEQUENTIAL_BLUE_GREEN_9);
+  series->SetColorScheme(tones == Tones::stress ? vtkColorSeries::BREWER_SEQUENTIAL_YELLOW_ORANGE_BROWN_9
+                                                : vtkColorSeries::BREWER_SEQUENTIAL_BLUE_GREEN_9);
   std::vector<vtkColor3ub> colours;
   for (int i = 1; i < series->GetNumberOfColors(); ++i) colours.push_back(series->GetColor(i));
   return colours;
@@ -54,8 +55,10 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData& shape, const Look& look) {
   mapper->ScalarVisibilityOff();
   if (!look.field.empty()) {
     mapper->ScalarVisibilityOn();
-    if (shape.GetPointData()->HasArray(look.field.c_str())) mapper->SetScalarModeToUsePointFieldData();
-    else mapper->SetScalarModeToUseCellFieldData();
+    if (shape.GetPointData()->HasArray(look.field.c_str()))
+      mapper->SetScalarModeToUsePointFieldData();
+    else
+      mapper->SetScalarModeToUseCellFieldData();
     mapper->SelectColorArray(look.field.c_str());
     mapper->SetLookupTable(field_map(look.tones, look.top));
     mapper->InterpolateScalarsBeforeMappingOn();
@@ -115,7 +118,8 @@ vtkSmartPointer<vtkImageData> averaged(vtkUnsignedCharArray& fine, int width, in
         const std::size_t pixel = std::size_t(y * n + sub / n) * width * n + x * n + sub % n;
         for (int c = 0; c < 4; ++c) sum[c] += from[4 * pixel + c];
       }
-      for (int c = 0; c < 3; ++c) to[c] = sum[3] == 0 ? 0 : static_cast<unsigned char>(std::min(255, (sum[c] * 255 + sum[3] / 2) / sum[3]));
+      for (int c = 0; c < 3; ++c)
+        to[c] = sum[3] == 0 ? 0 : static_cast<unsigned char>(std::min(255, (sum[c] * 255 + sum[3] / 2) / sum[3]));
       to[3] = static_cast<unsigned char>((sum[3] + n * n / 2) / (n * n));
     }
   return image;
@@ -199,7 +203,8 @@ Picture Scene::draw(const View& view, int width_pixels) const {
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, picture.width * oversampling - 1, picture.height * oversampling - 1, 0, pixels);
   if (pixels->GetNumberOfValues() == 0 || is_empty(*pixels))
-    throw Failure(ExitCode::unreadable, "nothing could be drawn: OpenGL gives an empty picture", "", "apt install xvfb libgl1-mesa-dri");
+    throw Failure(ExitCode::unreadable, "nothing could be drawn: OpenGL gives an empty picture", "",
+                  "apt install xvfb libgl1-mesa-dri");
   picture.png = png_bytes(*averaged(*pixels, picture.width, picture.height));
   return picture;
 }

@@ -16,13 +16,13 @@ using Colour = std::array<double, 3>;  ///< red, green, blue in 0..1
 /// How a shape is drawn. With `field` set its colours come from that array, from 0 to `top`.
 struct Look {
   Colour colour{0.8, 0.8, 0.8};
-  bool edges = false;      ///< draws the edges of the faces too
-  bool lit = true;         ///< shaded; otherwise the plain colour
-  double line_width = 1;   ///< pixels
-  int layer = 0;           ///< of shapes at the same depth, the higher layer is seen
-  std::string field{};     ///< empty: the plain colour
+  bool edges = false;     ///< draws the edges of the faces too
+  bool lit = true;        ///< shaded; otherwise the plain colour
+  double line_width = 1;  ///< pixels
+  int layer = 0;          ///< of shapes at the same depth, the higher layer is seen
+  std::string field{};    ///< empty: the plain colour
   Tones tones = Tones::none;
-  double top = 1;          ///< value of the field at the last tone
+  double top = 1;  ///< value of the field at the last tone
 };
 
 class Scene {

@@ -79,7 +79,8 @@ std::vector<std::pair<std::string, fs::path>> listed_stages(Study& study, const 
     study.title = json.value("title", "");
     for (const Json& stage : json.value("stages", Json::array())) {
       const std::string output = stage.value("output", "");
-      if (!output.empty() && stage.at("name") != "report") stages.emplace_back(stage.at("name").get<std::string>(), folder / output);
+      if (!output.empty() && stage.at("name") != "report")
+        stages.emplace_back(stage.at("name").get<std::string>(), folder / output);
     }
   } catch (const Json::exception& error) {
     damaged(path, std::string("not a study: ") + error.what());
@@ -95,7 +96,8 @@ std::vector<Frame> read_frames(const fs::path& pvd) {
   for (std::sregex_iterator match(text.begin(), text.end(), entry), end; match != end; ++match) {
     const std::string tag = match->str();
     std::smatch time_text, file_text;
-    if (!std::regex_search(tag, time_text, time) || !std::regex_search(tag, file_text, file)) damaged(pvd, "a frame without time or file");
+    if (!std::regex_search(tag, time_text, time) || !std::regex_search(tag, file_text, file))
+      damaged(pvd, "a frame without time or file");
     char* rest = nullptr;
     const std::string number = time_text[1];
     const double seconds = std::strtod(number.c_str(), &rest);

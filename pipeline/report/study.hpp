@@ -11,9 +11,9 @@
 namespace palpate {
 
 struct Stage {
-  std::string name;              ///< "mesh"; of a solve "solve neo_hookean"
+  std::string name;  ///< "mesh"; of a solve "solve neo_hookean"
   std::filesystem::path output;
-  Json card;                     ///< null when there is none
+  Json card;  ///< null when there is none
 };
 
 struct Frame {
@@ -31,15 +31,15 @@ struct Solve {
 
 struct Study {
   std::string title;
-  std::vector<Stage> stages;  ///< in the order of the chain
-  std::string sheet_png;                       ///< the bytes of labels.sheet.png; empty when absent
-  std::filesystem::path surface, mesh;         ///< empty when absent
+  std::vector<Stage> stages;            ///< in the order of the chain
+  std::string sheet_png;                ///< the bytes of labels.sheet.png; empty when absent
+  std::filesystem::path surface, mesh;  ///< empty when absent
   std::vector<Solve> solves;
   std::vector<std::filesystem::path> files_read;  ///< every file that was opened, or will be shown, in a fixed order
 };
 
-/// Reads study.json when it is there and finds the stages' usual names in any case. Throws Failure(unreadable) when the folder holds
-/// nothing that is known, or a file of it is damaged.
+/// Reads study.json when it is there and finds the stages' usual names in any case. Throws Failure(unreadable) when the folder
+/// holds nothing that is known, or a file of it is damaged.
 Study read_study(const std::filesystem::path& folder);
 
 /// The card of the stage whose tool is `tool` ("palpate-mesh"); null when there is none.

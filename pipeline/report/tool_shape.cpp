@@ -18,7 +18,8 @@ std::vector<ProfilePoint> profile(const Tool& tool) {
   const double R = tool.radius_mm, e = tool.kind == "flat_punch" ? std::min(tool.edge_radius_mm, R) : R;
   constexpr int arc_steps = 96;
   if (tool.kind == "ball") {
-    for (int i = 1; i < arc_steps; ++i) points.push_back({R * std::sin(pi * i / arc_steps), R * (1 - std::cos(pi * i / arc_steps))});
+    for (int i = 1; i < arc_steps; ++i)
+      points.push_back({R * std::sin(pi * i / arc_steps), R * (1 - std::cos(pi * i / arc_steps))});
     points.push_back({0, 2 * R});
     return points;
   }

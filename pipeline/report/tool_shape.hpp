@@ -10,7 +10,7 @@
 namespace palpate {
 
 struct Tool {
-  std::string kind;           ///< "ball", "rod" (hemispherical tip) or "flat_punch"
+  std::string kind;  ///< "ball", "rod" (hemispherical tip) or "flat_punch"
   double radius_mm = 0;
   double edge_radius_mm = 0;  ///< of a flat punch
   Vec3 tip_mm{0, 0, 0};       ///< the foremost point, on the axis
@@ -25,7 +25,8 @@ struct ToolSurface {
 /// Its surface, closed.
 ToolSurface tool_surface(const Tool& tool);
 
-/// Its cut along the axis as a closed polygon (the last point joins the first); `sideways` is a unit vector at right angles to the axis.
+/// Its cut along the axis as a closed polygon (the last point joins the first); `sideways` is a unit vector at right angles to
+/// the axis.
 std::vector<Vec3> tool_section(const Tool& tool, const Vec3& sideways);
 
 }  // namespace palpate

@@ -13,8 +13,10 @@ void usage(Usage& u) {
   u.name = "report";
   u.sentence = "Makes one self-contained HTML page of a study: pictures, curves, numbers, checks and cards.";
   u.details =
-      "The page opens offline in any browser. It shows what the folder holds: labels.sheet.png, surface.vtp, mesh.vtu and every solve/<name> "
-      "with its history and its deepest frame; what is missing is left out. Pictures are drawn by VTK on a private X server (Xvfb) and "
+      "The page opens offline in any browser. It shows what the folder holds: labels.sheet.png, surface.vtp, mesh.vtu and every "
+      "solve/<name> "
+      "with its history and its deepest frame; what is missing is left out. Pictures are drawn by VTK on a private X server "
+      "(Xvfb) and "
       "Mesa's software renderer, so no screen and no graphics card are needed, and the same files give the same page.";
   u.input("study", "result", "the folder that palpate run made; a study may end before the solve", ArgumentKind::open_folder);
   u.output("page", "report.html", "one HTML file that needs no other and no network");
