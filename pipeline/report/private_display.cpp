@@ -1,5 +1,5 @@
-// Xvfb as a child: -displayfd tells the number it chose; PR_SET_PDEATHSIG ends it with us, and it then removes its socket and
-// lock. SPDX-License-Identifier: GPL-3.0-or-later
+// Xvfb as a child: -displayfd tells the number it chose; PR_SET_PDEATHSIG ends it with us, and it removes its socket and lock.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <pipeline/report/private_display.hpp>
 
 #include <fcntl.h>
