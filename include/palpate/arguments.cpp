@@ -21,7 +21,8 @@ namespace {
 std::string expectation(const OptionSpec& option) {
   const std::string unit = option.unit.empty() || option.unit == "1" ? "" : " " + option.unit;
   const std::string range = range_text(option);
-  return std::string(option.kind == OptionKind::integer ? "a whole number" : "a number") + (range.empty() ? "" : " " + range) + unit;
+  return std::string(option.kind == OptionKind::integer ? "a whole number" : "a number") + (range.empty() ? "" : " " + range) +
+         unit;
 }
 
 double parse_number(const OptionSpec& option, const std::string& text) {
@@ -43,7 +44,8 @@ Json parse_point(const OptionSpec& option, const std::string& text) {
   Json point = Json::array();
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) point.push_back(parse_number(option, part));
-  if (point.size() != 3 || text.ends_with(",")) misuse("not a point: " + text, "--" + option.name, "three numbers in mm: 12.5,-3,40");
+  if (point.size() != 3 || text.ends_with(","))
+    misuse("not a point: " + text, "--" + option.name, "three numbers in mm: 12.5,-3,40");
   return point;
 }
 
@@ -104,7 +106,8 @@ GivenWords sort_words(const Usage& usage, const std::vector<std::string>& words)
       app.add_option("--" + option.name, given.values[option.name])
           ->expected(1)
           ->allow_extra_args(false)
-          ->multi_option_policy(option.kind == OptionKind::points ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
+          ->multi_option_policy(option.kind == OptionKind::points ? CLI::MultiOptionPolicy::TakeAll
+                                                                  : CLI::MultiOptionPolicy::Throw);
   }
   given.files.resize(usage.inputs.size() + usage.outputs.size());
   for (std::size_t i = 0; i < given.files.size(); ++i) app.add_option("file-" + std::to_string(i), given.files[i]);
@@ -135,8 +138,10 @@ Arguments parse_arguments(const Usage& usage, const std::vector<std::string>& wo
     Json value = option.kind == OptionKind::flag ? Json(given.flags.at(option.name)) : option.default_value;
     if (option.kind != OptionKind::flag)
       for (const auto& text : given.values.at(option.name)) {
-        if (option.kind == OptionKind::points) value.push_back(parse_value(option, text));
-        else value = parse_value(option, text);
+        if (option.kind == OptionKind::points)
+          value.push_back(parse_value(option, text));
+        else
+          value = parse_value(option, text);
       }
     arguments.options[option.name] = value;
   }

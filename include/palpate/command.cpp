@@ -16,7 +16,8 @@ fs::path side_output_path(const Command::State& state, const SideOutputSpec& sid
   const fs::path& main = state.arguments.outputs.at(side.of);
   std::string name = main.filename().string();
   for (const char* extension : {".nii.gz", ".seg.nrrd"})
-    if (name.ends_with(extension)) return main.parent_path() / (name.substr(0, name.size() - std::string(extension).size()) + side.suffix);
+    if (name.ends_with(extension))
+      return main.parent_path() / (name.substr(0, name.size() - std::string(extension).size()) + side.suffix);
   return main.parent_path() / (fs::path(name).stem().string() + side.suffix);
 }
 

@@ -68,8 +68,8 @@ class Command {
 using UsageFunction = void (*)(Usage&);
 using RunFunction = void (*)(Command&);
 
-/// The life of an executable: usage, parsing, --skip-current, run, checks, cards, commit. Returns the exit code. Without outputs there is
-/// no card, and nothing to be current.
+/// The life of an executable: usage, parsing, --skip-current, run, checks, cards, commit. Returns the exit code. Without outputs
+/// there is no card, and nothing to be current.
 int run_program(int argc, char** argv, UsageFunction usage_of, RunFunction run);
 
 /// One command of a group: its usage() and run().
@@ -78,8 +78,8 @@ struct GroupCommand {
   RunFunction run;
 };
 
-/// The life of a program of several commands (`palpate run study.toml`). The first word chooses; a word that no command has goes to
-/// `otherwise` with the rest of the line, which throws Failure(misuse) when it knows no such word either, and may not return.
+/// The life of a program of several commands (`palpate run study.toml`). The first word chooses; a word that no command has goes
+/// to `otherwise` with the rest of the line, which throws Failure(misuse) when it knows no such word either, and may not return.
 using OtherwiseFunction = int (*)(const std::string& word, const std::vector<std::string>& arguments);
 int run_group(int argc, char** argv, Group group, const std::vector<GroupCommand>& commands, OtherwiseFunction otherwise);
 

@@ -16,9 +16,11 @@ void expect_inputs(const Command::State& state) {
     const fs::path& path = state.arguments.inputs.at(spec.name);
     const bool file = spec.kind == ArgumentKind::file;
     if (!fs::exists(path))
-      throw Failure(ExitCode::unreadable, file ? "no such file" : "no such folder", path.string(), "check the name of: " + spec.name);
+      throw Failure(ExitCode::unreadable, file ? "no such file" : "no such folder", path.string(),
+                    "check the name of: " + spec.name);
     if (fs::is_directory(path) == file)
-      throw Failure(ExitCode::misuse, file ? "a folder, where a file is read" : "a file, where a folder is read", path.string(), spec.meaning);
+      throw Failure(ExitCode::misuse, file ? "a folder, where a file is read" : "a file, where a folder is read", path.string(),
+                    spec.meaning);
   }
   for (const auto& [name, path] : declared_inputs(state)) {
     if (!fs::exists(path)) throw Failure(ExitCode::unreadable, "no such file", path.string(), "check --" + name);
@@ -30,7 +32,9 @@ void expect_distinct_outputs(const Command::State& state) {
   std::map<fs::path, std::string> names;
   for (const auto& [name, target] : state.targets) {
     const auto [other, is_new] = names.emplace(fs::weakly_canonical(fs::absolute(target)), name);
-    if (!is_new) throw Failure(ExitCode::misuse, name + " and " + other->second + " have the same name", target.string(), "another name for one of them");
+    if (!is_new)
+      throw Failure(ExitCode::misuse, name + " and " + other->second + " have the same name", target.string(),
+                    "another name for one of them");
   }
 }
 
@@ -52,7 +56,8 @@ void throw_failed_checks(const std::vector<Check>& checks) {
     what += "\n  check failed: " + check.name + " is " + check.value.dump() + ", must be " + check.limit;
     if (where.empty()) where = check.where;
   }
-  if (!what.empty()) throw Failure(ExitCode::check_failed, "the result is not delivered" + what, where, "other options; --verbose says more");
+  if (!what.empty())
+    throw Failure(ExitCode::check_failed, "the result is not delivered" + what, where, "other options; --verbose says more");
 }
 
 /// Every byte is on the disk before the first name changes. Cards are renamed first: killed in between, a card that matches no

@@ -5,7 +5,8 @@
 
 namespace palpate {
 
-/// Checks the inputs, skips what is current, calls `run`, and commits outputs and cards. Throws Failure; then nothing is left behind.
+/// Checks the inputs, skips what is current, calls `run`, and commits outputs and cards. Throws Failure; then nothing is left
+/// behind.
 void execute(Command& command, RunFunction run);
 
 }  // namespace palpate

@@ -9,8 +9,10 @@ namespace {
 
 void help_option(std::ostream& out, const OptionSpec& o) {
   std::string left = "  --" + o.name;
-  if (o.kind == OptionKind::points) left += " X,Y,Z";
-  else if (o.kind != OptionKind::flag) left += " " + (o.unit.empty() || o.unit == "1" ? option_kind_name(o.kind) : o.unit);
+  if (o.kind == OptionKind::points)
+    left += " X,Y,Z";
+  else if (o.kind != OptionKind::flag)
+    left += " " + (o.unit.empty() || o.unit == "1" ? option_kind_name(o.kind) : o.unit);
   out << left << std::string(left.size() < 30 ? 30 - left.size() : 1, ' ') << o.meaning;
   if (!o.choices.empty()) {
     out << " (";
@@ -23,7 +25,8 @@ void help_option(std::ostream& out, const OptionSpec& o) {
 }
 
 const char* const exit_codes =
-    "exit codes: 0 done · 1 defect of ours · 2 misuse · 3 file unreadable or unwritable · 4 a check failed · 5 did not converge · "
+    "exit codes: 0 done · 1 defect of ours · 2 misuse · 3 file unreadable or unwritable · 4 a check failed · 5 did not converge "
+    "· "
     "6 refused\n";
 
 }  // namespace
@@ -56,8 +59,11 @@ std::string help_text(const Group& g) {
     for (const auto& a : u.inputs) left += " " + a.example;
     out << left << std::string(left.size() < 30 ? 30 - left.size() : 1, ' ') << u.sentence << "\n";
   }
-  out << "\n" << g.details << "\n\n" << g.program << " <command> --help says more about one command.\n"
-      << "  --help, --version, --describe (JSON), --xml (Slicer Execution Model), --catalogue (JSON)\n\n" << exit_codes;
+  out << "\n"
+      << g.details << "\n\n"
+      << g.program << " <command> --help says more about one command.\n"
+      << "  --help, --version, --describe (JSON), --xml (Slicer Execution Model), --catalogue (JSON)\n\n"
+      << exit_codes;
   return out.str();
 }
 

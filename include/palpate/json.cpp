@@ -15,6 +15,8 @@ Json read_json(const std::filesystem::path& path) {
   }
 }
 
-void write_json(const std::filesystem::path& path, const Json& value) { write_text(path, value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
+void write_json(const std::filesystem::path& path, const Json& value) {
+  write_text(path, value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
 
 }  // namespace palpate

@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 /// Parses a JSON file. Throws Failure(unreadable) naming file and position.
 Json read_json(const std::filesystem::path& path);
 
-/// Writes indented JSON; bytes that are not UTF-8 (names in old DICOM files) become U+FFFD. Throws Failure(unreadable) when the disk is full.
+/// Writes indented JSON; bytes that are not UTF-8 (names in old DICOM files) become U+FFFD. Throws Failure(unreadable) when the
+/// disk is full.
 void write_json(const std::filesystem::path& path, const Json& value);
 
 }  // namespace palpate

@@ -91,7 +91,8 @@ template <std::size_t N>
 std::array<int, N> corners(const vtkIdType* ids, std::size_t points, vtkIdType cell, const std::filesystem::path& path) {
   std::array<int, N> corner{};
   for (std::size_t i = 0; i < N; ++i) {
-    if (ids[i] < 0 || std::size_t(ids[i]) >= points) unreadable(path, "cell " + std::to_string(cell) + " names a point that is not there");
+    if (ids[i] < 0 || std::size_t(ids[i]) >= points)
+      unreadable(path, "cell " + std::to_string(cell) + " names a point that is not there");
     corner[i] = static_cast<int>(ids[i]);
   }
   return corner;
@@ -139,7 +140,8 @@ void expect_whole(const std::filesystem::path& path) {
   std::string end(std::max<std::streamoff>(tail, 0), ' ');
   file.seekg(-tail, std::ios::end);
   file.read(end.data(), tail);
-  if (!file || end.find("</VTKFile>") == std::string::npos) unreadable(path, "truncated: the end of the file is missing", "copy it again");
+  if (!file || end.find("</VTKFile>") == std::string::npos)
+    unreadable(path, "truncated: the end of the file is missing", "copy it again");
 }
 
 /// Hears what VTK's readers complain about: of a damaged array they set no error code, they leave it out.
@@ -245,7 +247,8 @@ TetMesh read_mesh(const std::filesystem::path& path) {
       mesh.faces.push_back(corners<3>(ids, mesh.points.size(), cell, path));
       mesh.face_region.push_back(regions[cell]);
     } else {
-      unreadable(path, "cell " + std::to_string(cell) + " is neither a tetrahedron nor a triangle", "palpate-mesh writes what is read here");
+      unreadable(path, "cell " + std::to_string(cell) + " is neither a tetrahedron nor a triangle",
+                 "palpate-mesh writes what is read here");
     }
   }
   if (mesh.tets.empty()) unreadable(path, "no tetrahedra");

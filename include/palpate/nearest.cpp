@@ -26,9 +26,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
-  const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(name, a) < edit_distance(name, b);
-  });
+  const auto best = std::min_element(
+      known.begin(), known.end(), [&](const auto& a, const auto& b) { return edit_distance(name, a) < edit_distance(name, b); });
   return best == known.end() ? "" : *best;
 }
 

@@ -34,7 +34,8 @@ void expect_every_byte(const nifti_image& image, const std::filesystem::path& pa
   int error = Z_OK;
   if (file) gzerror(file.get(), &error);
   if (!file || got < 0 || error != Z_OK || bytes < expected)
-    unreadable(path, "truncated or damaged: " + std::to_string(bytes) + " good bytes of " + std::to_string(expected), "copy it again");
+    unreadable(path, "truncated or damaged: " + std::to_string(bytes) + " good bytes of " + std::to_string(expected),
+               "copy it again");
 }
 
 Image read_header(const std::filesystem::path& path) {
@@ -54,7 +55,8 @@ bool load_voxels(nifti_image& image) {
   if (znz_isnull(file)) return false;
   const std::size_t bytes = image.nvox * image.nbyper;
   image.data = std::calloc(1, bytes);
-  const bool complete = image.data && znzseek(file, image.iname_offset, SEEK_SET) >= 0 && znzread(image.data, 1, bytes, file) == bytes;
+  const bool complete =
+      image.data && znzseek(file, image.iname_offset, SEEK_SET) >= 0 && znzread(image.data, 1, bytes, file) == bytes;
   if (complete && image.swapsize > 1 && image.byteorder != nifti_short_order())
     nifti_swap_Nbytes(bytes / image.swapsize, image.swapsize, image.data);
   znzclose(file);
@@ -109,14 +111,16 @@ void visit_values(const nifti_image& image, const std::filesystem::path& path, c
     case DT_INT64: return visit_as<std::int64_t>(image, visit);
     case DT_FLOAT32: return visit_as<float>(image, visit);
     case DT_FLOAT64: return visit_as<double>(image, visit);
-    default: unreadable(path, std::string("voxels of type ") + nifti_datatype_string(image.datatype), "convert it to a scalar type");
+    default:
+      unreadable(path, std::string("voxels of type ") + nifti_datatype_string(image.datatype), "convert it to a scalar type");
   }
 }
 
 /// A sheared lattice (a tilted gantry) has no quaternion: its file then carries the sform alone.
 bool is_orthogonal(const Grid& grid) {
   const auto& [a, b, c] = grid.lps_from_voxel.columns;
-  const double cosine = std::max({std::abs(dot(unit(a), unit(b))), std::abs(dot(unit(b), unit(c))), std::abs(dot(unit(c), unit(a)))});
+  const double cosine =
+      std::max({std::abs(dot(unit(a), unit(b))), std::abs(dot(unit(b), unit(c))), std::abs(dot(unit(c), unit(a)))});
   return cosine <= 1e-4;
 }
 
@@ -150,7 +154,8 @@ void write_volume(const std::filesystem::path& path, const Volume<Voxel>& volume
   nifti_image_write(image.get());
   // The library does not say whether it could write: read back.
   const Image written = read_header(path);
-  if (!written || !load_voxels(*written) || std::memcmp(written->data, volume.voxels.data(), volume.voxels.size() * sizeof(Voxel)) != 0)
+  if (!written || !load_voxels(*written) ||
+      std::memcmp(written->data, volume.voxels.data(), volume.voxels.size() * sizeof(Voxel)) != 0)
     throw Failure(ExitCode::unreadable, "cannot write the image", path.string(), "check free space (df -h) and permissions");
 }
 

@@ -14,7 +14,8 @@ Scan read_scan(const std::filesystem::path& path);
 /// As read_scan, for whole numbers 0..65535; anything else is Failure(unreadable).
 Labels read_labels(const std::filesystem::path& path);
 
-/// Writes float32 / uint16 with sform and qform (a sheared lattice: sform alone). Throws Failure(unreadable) when the disk is full.
+/// Writes float32 / uint16 with sform and qform (a sheared lattice: sform alone). Throws Failure(unreadable) when the disk is
+/// full.
 void write_scan(const std::filesystem::path& path, const Scan& scan);
 void write_labels(const std::filesystem::path& path, const Labels& labels);
 

@@ -53,11 +53,12 @@ void refuse_to_overwrite(const fs::path& target, PendingOutput::Kind kind, bool 
   if (!force) throw Failure(ExitCode::misuse, "the output exists", target.string(), "another name, or --force to replace it");
   const bool is_folder = fs::is_directory(target);
   if (is_folder != (kind == PendingOutput::Kind::folder))
-    throw Failure(ExitCode::misuse, is_folder ? "the output is a folder, a file is written" : "the output is a file, a folder is written",
+    throw Failure(ExitCode::misuse,
+                  is_folder ? "the output is a folder, a file is written" : "the output is a file, a folder is written",
                   target.string(), "another name");
   if (is_folder && !fs::is_empty(target) && !fs::exists(card_path(target)))
-    throw Failure(ExitCode::misuse, "refusing to replace a folder that this program did not make (no card beside it)", target.string(),
-                  "another name, or remove the folder yourself");
+    throw Failure(ExitCode::misuse, "refusing to replace a folder that this program did not make (no card beside it)",
+                  target.string(), "another name, or remove the folder yourself");
 }
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace palpate {
 /// Removes what killed writers of `target` and of its card left beside it; work of living processes stays.
 void remove_leftovers(const std::filesystem::path& target);
 
-/// One output on its way. Destroyed without commit(), it leaves nothing behind; leftovers of a killed run are removed by the next.
+/// One output on its way. Destroyed without commit(), it leaves nothing behind; leftovers of a killed run are removed by the
+/// next.
 class PendingOutput {
  public:
   enum class Kind { file, folder };

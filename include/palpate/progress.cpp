@@ -24,7 +24,8 @@ void Progress::update(std::size_t done, const std::string& remark) {
   const std::size_t percent = total_ ? 100 * done / total_ : 100;
   if (terminal_) {
     const std::string bar(percent / 4, '#');
-    std::cerr << "\r\033[K" << label_ << " [" << bar << std::string(25 - bar.size(), ' ') << "] " << percent << " % " << remark << std::flush;
+    std::cerr << "\r\033[K" << label_ << " [" << bar << std::string(25 - bar.size(), ' ') << "] " << percent << " % " << remark
+              << std::flush;
   } else {
     std::cerr << label_ << ": " << percent << " % " << remark << "\n";
   }

@@ -20,24 +20,36 @@ Json catalogue_json(const Usage& usage) {
 /// --help and its kin; true when one of them was asked for.
 bool answered_question(const Usage& usage, const std::vector<std::string>& words) {
   for (const auto& word : words) {
-    if (word == "--help") std::cout << help_text(usage);
-    else if (word == "--version") std::cout << usage.program() << " " << PALPATE_VERSION << "\n";
-    else if (word == "--describe") std::cout << describe(usage).dump(2) << "\n";
-    else if (word == "--xml") std::cout << slicer_xml(usage);
-    else if (word == "--catalogue") std::cout << catalogue_json(usage).dump(2) << "\n";
-    else continue;
+    if (word == "--help")
+      std::cout << help_text(usage);
+    else if (word == "--version")
+      std::cout << usage.program() << " " << PALPATE_VERSION << "\n";
+    else if (word == "--describe")
+      std::cout << describe(usage).dump(2) << "\n";
+    else if (word == "--xml")
+      std::cout << slicer_xml(usage);
+    else if (word == "--catalogue")
+      std::cout << catalogue_json(usage).dump(2) << "\n";
+    else
+      continue;
     return true;
   }
   return false;
 }
 
 bool answered_question(const Group& group, const std::string& word) {
-  if (word == "--help") std::cout << help_text(group);
-  else if (word == "--version") std::cout << group.program << " " << PALPATE_VERSION << "\n";
-  else if (word == "--describe") std::cout << describe(group).dump(2) << "\n";
-  else if (word == "--xml") std::cout << slicer_xml(group);
-  else if (word == "--catalogue") std::cout << "[]\n";
-  else return false;
+  if (word == "--help")
+    std::cout << help_text(group);
+  else if (word == "--version")
+    std::cout << group.program << " " << PALPATE_VERSION << "\n";
+  else if (word == "--describe")
+    std::cout << describe(group).dump(2) << "\n";
+  else if (word == "--xml")
+    std::cout << slicer_xml(group);
+  else if (word == "--catalogue")
+    std::cout << "[]\n";
+  else
+    return false;
   return true;
 }
 
@@ -61,7 +73,8 @@ template <class Work>
 int guarded(const std::string& program, const Work& work) {
   try {
     const int code = work();
-    if (!std::cout.flush()) throw Failure(ExitCode::unreadable, "cannot write the result", "standard output", "check free space (df -h)");
+    if (!std::cout.flush())
+      throw Failure(ExitCode::unreadable, "cannot write the result", "standard output", "check free space (df -h)");
     return code;
   } catch (const Failure& failure) {
     return report(program, failure.code(), failure.what());

@@ -44,7 +44,8 @@ Json to_json(const toml::node& node) {
 }
 
 /// The node of a sub-table: one for all who open it, so that what one of them asked for counts.
-std::shared_ptr<Settings::Node> child_of(const std::shared_ptr<Settings::Node>& parent, const std::string& key, const toml::table& table) {
+std::shared_ptr<Settings::Node> child_of(const std::shared_ptr<Settings::Node>& parent, const std::string& key,
+                                         const toml::table& table) {
   for (const auto& child : parent->children)
     if (child->table == &table) return child;
   parent->children.push_back(
@@ -85,7 +86,9 @@ double Settings::real(const std::string& key, Range range) const {
   return x;
 }
 
-double Settings::real(const std::string& key, double fallback, Range range) const { return has(key) ? real(key, range) : fallback; }
+double Settings::real(const std::string& key, double fallback, Range range) const {
+  return has(key) ? real(key, range) : fallback;
+}
 
 long Settings::integer(const std::string& key, long fallback, Range range) const {
   if (!has(key)) return fallback;
@@ -159,7 +162,8 @@ Json Settings::value(const std::string& key) const {
     std::vector<std::string> unasked;
     for (const auto& name : keys())
       if (!node_->asked.contains(name)) unasked.push_back(name);
-    misuse(*this, "", "missing key: " + node_->name + key, unasked.empty() ? "" : "is it written \"" + nearest_name(key, unasked) + "\" here?");
+    misuse(*this, "", "missing key: " + node_->name + key,
+           unasked.empty() ? "" : "is it written \"" + nearest_name(key, unasked) + "\" here?");
   }
   return to_json(*find(*node_, key));
 }

@@ -60,16 +60,17 @@ void xml_option(std::ostream& out, const OptionSpec& o) {
 
 void xml_argument(std::ostream& out, const ArgumentSpec& a, const char* channel, std::size_t index) {
   const char* tag = a.kind == ArgumentKind::file ? "file" : "directory";
-  out << "    <" << tag << ">\n      <name>" << identifier(a.name) << "</name>\n      <index>" << index << "</index>\n      <channel>" << channel
-      << "</channel>\n      <label>" << a.name << "</label>\n      <description>" << escaped(a.meaning) << "</description>\n    </" << tag
-      << ">\n";
+  out << "    <" << tag << ">\n      <name>" << identifier(a.name) << "</name>\n      <index>" << index
+      << "</index>\n      <channel>" << channel << "</channel>\n      <label>" << a.name << "</label>\n      <description>"
+      << escaped(a.meaning) << "</description>\n    </" << tag << ">\n";
 }
 
 }  // namespace
 
 std::string slicer_xml(const Usage& u) {
   std::ostringstream out;
-  out << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Palpate</category>\n  <title>" << u.program() << "</title>\n  <description>" << escaped(u.sentence) << "</description>\n  <version>" << PALPATE_VERSION
+  out << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Palpate</category>\n  <title>" << u.program()
+      << "</title>\n  <description>" << escaped(u.sentence) << "</description>\n  <version>" << PALPATE_VERSION
       << "</version>\n  <license>GPL-3.0-or-later</license>\n  <parameters>\n    <label>Files</label>\n"
       << "    <description>Inputs and outputs</description>\n";
   std::size_t index = 0;
@@ -84,8 +85,8 @@ std::string slicer_xml(const Usage& u) {
 
 std::string slicer_xml(const Group& g) {
   return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<executable>\n  <category>Palpate</category>\n  <title>" + g.program +
-         "</title>\n  <description>" + escaped(g.sentence) + "</description>\n  <version>" PALPATE_VERSION
-         "</version>\n  <license>GPL-3.0-or-later</license>\n</executable>\n";
+         "</title>\n  <description>" + escaped(g.sentence) +
+         "</description>\n  <version>" PALPATE_VERSION "</version>\n  <license>GPL-3.0-or-later</license>\n</executable>\n";
 }
 
 }  // namespace palpate

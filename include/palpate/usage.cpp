@@ -17,7 +17,8 @@ void Usage::side_output(std::string n, std::string of, std::string suffix, std::
   side_outputs.push_back({std::move(n), std::move(of), std::move(suffix), std::move(meaning)});
 }
 void Usage::real(std::string n, std::optional<double> fallback, std::string unit, Range range, std::string meaning) {
-  options.push_back({std::move(n), OptionKind::real, std::move(unit), range, fallback ? Json(*fallback) : Json(), {}, std::move(meaning)});
+  options.push_back(
+      {std::move(n), OptionKind::real, std::move(unit), range, fallback ? Json(*fallback) : Json(), {}, std::move(meaning)});
 }
 void Usage::integer(std::string n, std::optional<long> fallback, Range range, std::string meaning) {
   options.push_back({std::move(n), OptionKind::integer, "1", range, fallback ? Json(*fallback) : Json(), {}, std::move(meaning)});
@@ -45,7 +46,12 @@ const std::vector<OptionSpec>& common_options() {
       {"quiet", OptionKind::flag, "", {}, false, {}, "no progress and no messages but errors"},
       {"verbose", OptionKind::flag, "", {}, false, {}, "more messages"},
       {"force", OptionKind::flag, "", {}, false, {}, "replace outputs that exist"},
-      {"skip-current", OptionKind::flag, "", {}, false, {},
+      {"skip-current",
+       OptionKind::flag,
+       "",
+       {},
+       false,
+       {},
        "do nothing and print \"current\" when the card beside the output says that this very call made it"},
   };
   return options;
@@ -80,9 +86,12 @@ std::string range_text(const OptionSpec& option) {
   const auto [min, max] = option.range;
   std::ostringstream text;
   text.precision(15);
-  if (std::isfinite(min) && std::isfinite(max)) text << "from " << min << " to " << max;
-  else if (std::isfinite(min)) text << "at least " << min;
-  else if (std::isfinite(max)) text << "at most " << max;
+  if (std::isfinite(min) && std::isfinite(max))
+    text << "from " << min << " to " << max;
+  else if (std::isfinite(min))
+    text << "at least " << min;
+  else if (std::isfinite(max))
+    text << "at most " << max;
   return text.str();
 }
 

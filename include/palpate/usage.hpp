@@ -38,19 +38,19 @@ enum class OptionKind { real, integer, text, choice, flag, points, file };
 struct OptionSpec {
   std::string name;  ///< long name without dashes, words joined by '-'
   OptionKind kind = OptionKind::flag;
-  std::string unit;   ///< "mm", "deg", "1", … ; empty for text
-  Range range;        ///< of numbers
-  Json default_value; ///< null: decided by the program, which says how in `meaning`
+  std::string unit;    ///< "mm", "deg", "1", … ; empty for text
+  Range range;         ///< of numbers
+  Json default_value;  ///< null: decided by the program, which says how in `meaning`
   std::vector<std::string> choices;
   std::string meaning;
 };
 
 /// Filled by a program's usage(). Order of calls is the order on the command line and in help.
 struct Usage {
-  std::string name;      ///< "segment" for palpate-segment
+  std::string name;                 ///< "segment" for palpate-segment
   std::string prefix = "palpate-";  ///< "palpate " for a command of a group: palpate run
-  std::string sentence;  ///< what it does, one sentence
-  std::string details;   ///< a paragraph for --help and the docs page; may be empty
+  std::string sentence;             ///< what it does, one sentence
+  std::string details;              ///< a paragraph for --help and the docs page; may be empty
   std::vector<ArgumentSpec> inputs, outputs;
   std::vector<SideOutputSpec> side_outputs;
   std::vector<OptionSpec> options;
@@ -91,7 +91,7 @@ std::string help_text(const Usage& usage);
 
 /// Several commands under one program: `palpate run`, `palpate list`.
 struct Group {
-  std::string program;   ///< "palpate"
+  std::string program;  ///< "palpate"
   std::string sentence;
   std::string details;
   std::vector<Usage> commands;

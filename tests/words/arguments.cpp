@@ -65,9 +65,11 @@ TEST(Arguments, RefusesWithTheNearestName) {
 }
 
 TEST(Arguments, RefusesWhatIsNoValue) {
-  for (const char* bad : {"10.5", "-1", "nan", "inf", "1e400", "3mm", "", "--law"}) EXPECT_NE(refusal({"s", "l.nii", "--depth", bad}), "") << bad;
+  for (const char* bad : {"10.5", "-1", "nan", "inf", "1e400", "3mm", "", "--law"})
+    EXPECT_NE(refusal({"s", "l.nii", "--depth", bad}), "") << bad;
   for (const char* bad : {"0", "1.5", "1e300", "x"}) EXPECT_NE(refusal({"s", "l.nii", "--steps", bad}), "") << bad;
-  for (const char* bad : {"1,2", "1,2,3,4", "1,2,", "1,2,x", "1,2,nan", "1 2 3"}) EXPECT_NE(refusal({"s", "l.nii", "--at", bad}), "") << bad;
+  for (const char* bad : {"1,2", "1,2,3,4", "1,2,", "1,2,x", "1,2,nan", "1 2 3"})
+    EXPECT_NE(refusal({"s", "l.nii", "--at", bad}), "") << bad;
   EXPECT_NE(refusal({"s", "l.nii", "--depth"}), "");
   EXPECT_NE(refusal({"s", "l.nii", "--depth", "1", "--depth", "2"}), "");
 }

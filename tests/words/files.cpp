@@ -86,8 +86,10 @@ TEST_F(Files, EveryCutOfAMeshIsRefused) {
     const std::string whole = read_text(folder / name);
     for (std::size_t kept = 0; kept + 24 < whole.size(); kept += whole.size() / 40) {
       write_text(folder / (std::string("cut-") + name), whole.substr(0, kept));
-      if (std::string(name) == "m.vtu") EXPECT_THROW(read_mesh(folder / "cut-m.vtu"), Failure) << kept << " of " << whole.size();
-      else EXPECT_THROW(read_surface(folder / "cut-s.vtp"), Failure) << kept << " of " << whole.size();
+      if (std::string(name) == "m.vtu")
+        EXPECT_THROW(read_mesh(folder / "cut-m.vtu"), Failure) << kept << " of " << whole.size();
+      else
+        EXPECT_THROW(read_surface(folder / "cut-s.vtp"), Failure) << kept << " of " << whole.size();
     }
   }
 }

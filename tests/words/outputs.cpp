@@ -73,8 +73,10 @@ TEST_F(Outputs, RefusesToReplace) {
 }
 
 TEST_F(Outputs, LeftoversOfTheDeadGoAndWorkOfTheLivingStays) {
-  const std::string dead = ".partial-" + std::to_string(dead_process()) + "-", alive = ".partial-" + std::to_string(getppid()) + "-";
-  for (const auto& name : {dead + "a.txt", dead + "a.txt.card.json", dead + "b.txt", alive + "a.txt"}) write_text(folder / name, "x");
+  const std::string dead = ".partial-" + std::to_string(dead_process()) + "-",
+                    alive = ".partial-" + std::to_string(getppid()) + "-";
+  for (const auto& name : {dead + "a.txt", dead + "a.txt.card.json", dead + "b.txt", alive + "a.txt"})
+    write_text(folder / name, "x");
   remove_leftovers(folder / "a.txt");
   EXPECT_FALSE(fs::exists(folder / (dead + "a.txt")));
   EXPECT_FALSE(fs::exists(folder / (dead + "a.txt.card.json")));

@@ -30,7 +30,8 @@ std::string refusal(const Action& action) {
 }  // namespace
 
 TEST_F(SettingsFile, ReadsValues) {
-  const Settings s = read("depth = 2\naxis = [0, 0.5, -1]\nname = \"ball\"\n[tool]\nradius_mm = 2.5\n[[solve]]\nx = 1\n[[solve]]\nx = 2\n");
+  const Settings s =
+      read("depth = 2\naxis = [0, 0.5, -1]\nname = \"ball\"\n[tool]\nradius_mm = 2.5\n[[solve]]\nx = 1\n[[solve]]\nx = 2\n");
   EXPECT_EQ(s.real("depth"), 2);
   EXPECT_EQ(s.vec3("axis"), (Vec3{0, 0.5, -1}));
   EXPECT_EQ(s.text("name"), "ball");
