@@ -95,14 +95,14 @@ bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vecto
     back = std::max(back, (aim - x).dot(tool.axis));
     front = std::max(front, (x - aim).dot(tool.axis));
   }
-  const double touching = 1e-9 * (back + front);
+  const double touching = 1e-5 * (back + front);  // finer, and a tool that grazes the organ would creep along it
   tool.first_contact = aim - (back + 1e-3 * (back + front)) * tool.axis;
   double travel = 0;
   while (travel <= 2 * (back + front)) {  // the distance is a safe step (sphere tracing, Hart 1996)
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& x : points) nearest = std::min(nearest, tool.distance(x, travel).g);
     if (nearest <= touching) {
-      tool.first_contact += travel * tool.axis;
+      tool.first_contact += (travel + nearest) * tool.axis;
       return true;
     }
     travel += std::max(nearest, touching);
