@@ -11,6 +11,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, c
   const double whole = 1.0 / plan.count, smallest = whole / std::pow(2, plan.most_cuts);
   report({0, state, {}, 0, 0});
   double size = whole;
+  int easy = 0;  // sub-steps in a row that Newton found quickly: two of them earn a longer one
   for (int index = 1; index <= plan.count; ++index) {
     const double target = index * whole;
     int iterations = 0, cuts = 0;
@@ -21,10 +22,12 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, c
       if (found) {
         iterations += found->iterations;
         last = std::move(*found);
-        size = std::min(whole, last.iterations <= 8 ? 2 * size : size);
+        easy = last.iterations <= 10 ? easy + 1 : 0;
+        if (easy >= 2) size = std::min(whole, 2 * size);
       } else {
         size = std::min(size, target - state.load) / 2;
         ++cuts;
+        easy = 0;
         if (size < smallest) return state.load;
       }
     }
