@@ -33,30 +33,54 @@ implicit::Model block(int nodes) {
   return model;
 }
 
+/// Mean seconds of assembling the equations at rest.
+double assembly_seconds(const implicit::Model& model, implicit::State& state, implicit::BlockMatrix& tangent, int threads) {
+  const implicit::Assembly assemble(model, threads);
+  const auto start = Clock::now();
+  for (int i = 0; i < 3; ++i) assemble(state, tangent);
+  return seconds_since(start) / 3;
+}
+
+/// Analysis, factorisation and solution of the equations at rest.
+void print_linear_algebra(const implicit::Model& model, const implicit::BlockMatrix& tangent, int threads) {
+  std::vector<int> rows, columns;
+  tangent.coordinates(rows, columns);
+  auto start = Clock::now();
+  implicit::SparseDirect solver(4 * tangent.nodes(), std::move(rows), std::move(columns), threads);
+  std::printf(" %9.2f", seconds_since(start));
+  std::vector<char> fixed(4 * model.points.size(), 0);
+  for (const auto& p : model.prescribed) fixed[4 * p.node + p.component] = 1;
+  std::vector<double> values;
+  tangent.values(fixed, values);
+  start = Clock::now();
+  solver.factor(values);
+  std::printf(" %9.2f", seconds_since(start));
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(4 * tangent.nodes());
+  start = Clock::now();
+  solver.solve(x);
+  std::printf(" %9.2f %9.2f", seconds_since(start), peak_memory_gb());
+}
+
 }  // namespace
 
+/// bench-solver-sizes NODES [THREADS] [step]: with "step", a whole step from first contact too.
 int main(int argc, char** argv) {
   const int nodes = argc > 1 ? std::atoi(argv[1]) : 5000, threads = argc > 2 ? std::atoi(argv[2]) : 2;
   const auto model = block(nodes);
-  auto start = Clock::now();
-  implicit::Equilibrium equilibrium(model, threads);
-  const double analysis = seconds_since(start);
   implicit::State state = implicit::rest_state(model);
   implicit::BlockMatrix tangent(static_cast<int>(model.points.size()), model.tets);
-  double assembly[2];
-  for (int t : {1, 2}) {
-    const implicit::Assembly assemble(model, t);
-    start = Clock::now();
-    for (int i = 0; i < 3; ++i) assemble(state, tangent);
-    assembly[t - 1] = seconds_since(start) / 3;
+  const double one = assembly_seconds(model, state, tangent, 1), two = assembly_seconds(model, state, tangent, 2);
+  std::printf("%8zu %9zu %10.3f %10.3f %6.2f", model.points.size(), model.tets.size(), one, two, one / two);
+  print_linear_algebra(model, tangent, threads);
+  if (argc > 3) {
+    implicit::Equilibrium equilibrium(model, threads);
+    const auto start = Clock::now();
+    const auto found = equilibrium.find(state, 0.1);
+    if (!found) {
+      std::fprintf(stderr, "no equilibrium: %s\n", equilibrium.trouble().cause.c_str());
+      return 5;
+    }
+    std::printf(" %7d %9.2f", found->iterations, seconds_since(start));
   }
-  start = Clock::now();
-  const auto found = equilibrium.find(state, 0.1);
-  if (!found) {
-    std::fprintf(stderr, "no equilibrium: %s\n", equilibrium.trouble().cause.c_str());
-    return 5;
-  }
-  const double step = seconds_since(start);
-  std::printf("%8zu %9zu %9.2f %10.3f %10.3f %6.2f %6d %10.2f %12.2f %8.2f\n", model.points.size(), model.tets.size(), analysis, assembly[0],
-              assembly[1], assembly[0] / assembly[1], found->iterations, step, step / found->iterations, peak_memory_gb());
+  std::printf("\n");
 }
