@@ -18,7 +18,7 @@ struct Trouble {
 
 struct NewtonLimits {
   int iterations = 14;        ///< per augmentation
-  int augmentations = 20;
+  int augmentations = 8;
   double tolerance = 1e-9;    ///< of the residual: force over internal forces, volume over nodal volumes
   double penetration = contact::deepest_gap;  ///< of the local element size
 };
