@@ -22,8 +22,8 @@ struct Equations {
   int faulty_tet = -1;
 };
 
-/// Assembles with rest shapes computed once. Elements are computed in parallel and added in order: the same bytes for any
-/// number of threads.
+/// Assembles with rest shapes computed once. Elements are computed in parallel and added in the mesh's order: the same
+/// bytes for any number of threads.
 class Assembly {
  public:
   Assembly(const Model& model, int threads);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <solver/implicit/parallel.hpp>
+
 namespace palpate::implicit {
 
 BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets) {
@@ -21,16 +23,36 @@ BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets)
     column_.push_back(i);
     row_start_.push_back(static_cast<int>(column_.size()));
   }
-  blocks_.resize(column_.size());
-  set_zero();
+  blocks_.assign(column_.size(), Block::Zero());
+  for (const auto& tet : tets) {
+    TetPlaces places{{0, 1, 2, 3}, {}};
+    std::sort(places.order.begin(), places.order.end(), [&](int a, int b) { return tet[a] < tet[b]; });
+    for (int i = 0, k = 0; i < 4; ++i)
+      for (int j = 0; j <= i; ++j) places.block[k++] = place(tet[places.order[i]], tet[places.order[j]]);
+    tet_places_.push_back(places);
+  }
 }
 
-void BlockMatrix::set_zero() { std::fill(blocks_.begin(), blocks_.end(), Block::Zero()); }
+void BlockMatrix::set_zero(int threads) {
+  in_shares(static_cast<int>(blocks_.size()), threads,
+            [&](int from, int to) { std::fill(blocks_.begin() + from, blocks_.begin() + to, Block::Zero()); });
+}
+
+/// Of the block of nodes (i, j), j ≤ i.
+int BlockMatrix::place(int i, int j) const {
+  const auto begin = column_.begin() + row_start_[i], end = column_.begin() + row_start_[i + 1];
+  return static_cast<int>(std::lower_bound(begin, end, j) - column_.begin());
+}
 
 void BlockMatrix::add(int i, int j, const Block& block) {
   if (j > i) return add(j, i, block.transpose());
-  const auto begin = column_.begin() + row_start_[i], end = column_.begin() + row_start_[i + 1];
-  blocks_[std::lower_bound(begin, end, j) - column_.begin()] += block;
+  blocks_[place(i, j)] += block;
+}
+
+void BlockMatrix::add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix) {
+  const auto& places = tet_places_[tet];
+  for (int i = 0, k = 0; i < 4; ++i)
+    for (int j = 0; j <= i; ++j) blocks_[places.block[k++]] += matrix.block<4, 4>(4 * places.order[i], 4 * places.order[j]);
 }
 
 void BlockMatrix::coordinates(std::vector<int>& rows, std::vector<int>& columns) const {
@@ -45,16 +67,19 @@ void BlockMatrix::coordinates(std::vector<int>& rows, std::vector<int>& columns)
         }
 }
 
-void BlockMatrix::values(const std::vector<char>& fixed, std::vector<double>& out) const {
-  out.clear();
-  for (int i = 0; i < nodes(); ++i)
-    for (int at = row_start_[i]; at < row_start_[i + 1]; ++at)
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b < (column_[at] == i ? a + 1 : 4); ++b) {
-          const int row = 4 * i + a, column = 4 * column_[at] + b;
-          const bool held = fixed[row] || fixed[column];
-          out.push_back(held ? double(row == column) : blocks_[at](a, b));
-        }
+void BlockMatrix::values(const std::vector<char>& fixed, std::vector<double>& out, int threads) const {
+  out.resize(16 * column_.size() - 6 * nodes());  // of a diagonal block, 10 of 16
+  in_shares(nodes(), threads, [&](int from, int to) {
+    double* value = out.data() + 16 * static_cast<std::size_t>(row_start_[from]) - 6 * from;
+    for (int i = from; i < to; ++i)
+      for (int at = row_start_[i]; at < row_start_[i + 1]; ++at)
+        for (int a = 0; a < 4; ++a)
+          for (int b = 0; b < (column_[at] == i ? a + 1 : 4); ++b) {
+            const int row = 4 * i + a, column = 4 * column_[at] + b;
+            const bool held = fixed[row] || fixed[column];
+            *value++ = held ? double(row == column) : blocks_[at](a, b);
+          }
+  });
 }
 
 Eigen::VectorXd BlockMatrix::multiply(const Eigen::VectorXd& x) const {

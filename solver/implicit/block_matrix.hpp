@@ -13,22 +13,31 @@ class BlockMatrix {
  public:
   BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets);
 
-  void set_zero();
+  void set_zero(int threads = 1);
   /// Adds the block of nodes (i, j); (j, i) is its transpose and is not added separately.
   void add(int i, int j, const Block& block);
+  /// Adds the symmetric matrix of tetrahedron `tet`, node by node; its blocks' places are known beforehand.
+  void add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix);
 
   int nodes() const { return static_cast<int>(row_start_.size()) - 1; }
   /// Lower-triangle entries in coordinate form, one-based, in a fixed order.
   void coordinates(std::vector<int>& rows, std::vector<int>& columns) const;
   /// Their values; rows and columns of `fixed` unknowns become those of the identity.
-  void values(const std::vector<char>& fixed, std::vector<double>& out) const;
+  void values(const std::vector<char>& fixed, std::vector<double>& out, int threads = 1) const;
   /// y = K x
   Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 
  private:
+  struct TetPlaces {
+    std::array<int, 4> order;   ///< the tetrahedron's corners by ascending node
+    std::array<int, 10> block;  ///< of corners (order[i], order[j]), j ≤ i, row by row
+  };
+  int place(int i, int j) const;
+
   std::vector<int> row_start_;  ///< of the lower triangle, by node
   std::vector<int> column_;     ///< ascending in each row; the diagonal last
   std::vector<Block> blocks_;
+  std::vector<TetPlaces> tet_places_;
 };
 
 }  // namespace palpate::implicit
