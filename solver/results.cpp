@@ -48,7 +48,7 @@ void ResultFolder::add(const implicit::Step& step, bool last) {
   iterations_ += step.iterations;
   cuts_ += step.cuts;
   steps_ = step.index;
-  worst_penetration_ = std::max(worst_penetration_, contact.worst_gap);
+  worst_penetration_ = std::max(worst_penetration_, contact.penetration);
   if (step.equations.residual.size() > 0 && force_ > 0)
     worst_imbalance_ = std::max(worst_imbalance_, (base_reaction(case_.model, step.equations.residual) + contact.force).norm() / contact.force.norm());
   for (double value : {depth / case_.speed_mm_s, depth, contact.force.x(), contact.force.y(), contact.force.z(), force_, contact.area})

@@ -1,4 +1,4 @@
-// Frictionless contact at six points a face (Dunavant 1985, degree 4), augmented Lagrangian.
+// Frictionless contact at six points a face (Dunavant 1985, degree 4): t condensed from K Δu − n Δt = −r, n·Δu + g = g(t) + g′(t) Δt.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/contact/frictionless.hpp>
 
@@ -44,7 +44,7 @@ bool out_of_reach(const Tool& tool, double travel, const Face& face) {
   const Vector3d centre = (face.now[0] + face.now[1] + face.now[2]) / 3;
   double reach = 0;
   for (const auto& corner : face.now) reach = std::max(reach, (corner - centre).norm());
-  const bool relaxed = std::all_of(face.multipliers, face.multipliers + points_per_face, [](double l) { return l == 0; });
+  const bool relaxed = std::all_of(face.pressures, face.pressures + points_per_face, [](double t) { return t == 0; });
   return relaxed && tool.distance(centre, travel).g > reach;
 }
 
@@ -60,33 +60,45 @@ tools::Distance Tool::distance(const Vector3d& x, double travel) const {
 
 double face_size(const std::array<Vector3d, 3>& corners) { return std::sqrt(area(corners) * 4 / std::sqrt(3.0)); }
 
-FaceContact face_contact(const Tool& tool, double travel, const Face& face, double penalty_modulus) {
+FaceContact face_contact(const Tool& tool, double travel, const Face& face, double softness) {
   FaceContact result;
   if (out_of_reach(tool, travel, face)) return result;
-  const double rest_area = area(face.rest), size = face_size(face.rest), penalty = penalty_modulus / size;
-  const double now_area = area(face.now);
+  const double rest_area = area(face.rest), now_area = area(face.now);
+  const double size = face_size(face.rest), deepest = deepest_gap * size;
   for (int q = 0; q < points_per_face; ++q) {
     const auto& [N, weight] = quadrature[q];
     const Vector3d x = N[0] * face.now[0] + N[1] * face.now[1] + N[2] * face.now[2];
     const tools::Distance d = tool.distance(x, travel);
-    const double t = face.multipliers[q] - penalty * d.g;
-    result.worst_gap = std::max(result.worst_gap, -d.g / size);
-    if (!(t > 0)) continue;
+    const double carried = face.pressures[q], gap = -deepest * carried / (softness + carried);
+    const double stiffness = (softness + carried) * (softness + carried) / (softness * deepest);
+    const double t = carried + stiffness * (gap - d.g);
+    result.penetration = std::max(result.penetration, -d.g / size);
+    if (!(t > 0)) {
+      result.mismatch = std::max(result.mismatch, carried / softness);
+      continue;
+    }
     result.touched = true;
-    result.pressure[q] = t;
-    result.worst_gap = std::max(result.worst_gap, std::abs(d.g) / size);
+    result.points[q] = {t, stiffness, d.n};
+    result.mismatch = std::max(result.mismatch, std::abs(gap - d.g) / deepest);
     const double w = weight * rest_area;
     result.force += w * t * d.n;
     result.area += weight * now_area;
-    // Where a trial state is deeper in than any solution may be, its pressure must not bend the surface: the curvature term stops there.
-    const double curving = std::min(t, face.multipliers[q] + 2 * deepest_gap * penalty * size);
-    const Eigen::Matrix3d k = w * (penalty * d.n * d.n.transpose() - curving * d.hessian);
+    // Where a trial state is deep inside the tool, the pressure it asks for must not bend the surface: the curvature term stops there.
+    const double curving = std::min(t, carried + 2 * softness);
+    const Eigen::Matrix3d k = w * (stiffness * d.n * d.n.transpose() - curving * d.hessian);
     for (int a = 0; a < 3; ++a) {
       result.residual.segment<3>(3 * a) -= w * t * N[a] * d.n;
       for (int b = 0; b < 3; ++b) result.tangent.block<3, 3>(3 * a, 3 * b) += N[a] * N[b] * k;
     }
   }
   return result;
+}
+
+double next_pressure(const Point& point, int q, double before, const std::array<Vector3d, 3>& corner_steps, double length) {
+  Vector3d step = Vector3d::Zero();
+  for (int a = 0; a < 3; ++a) step += quadrature[q].N[a] * corner_steps[a];
+  const double after = std::max(0.0, point.pressure - point.stiffness * point.normal.dot(step));
+  return before + length * (after - before);
 }
 
 bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vector3d>& points) {
@@ -111,8 +123,8 @@ bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vecto
 }
 
 CatalogueEntry frictionless_entry() {
-  return {"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, augmented Lagrangian at six points a face",
-          "Simo and Laursen 1992, Computers & Structures 42:97", {}};
+  return {"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, perturbed Lagrangian at six points a face",
+          "Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163", {}};
 }
 
 }  // namespace palpate::contact

@@ -1,5 +1,6 @@
-// Frictionless contact of the organ's faces with a rigid tool, at quadrature points, by an augmented Lagrangian:
-// pressure t = ⟨λ − ε g⟩, energy Σ w t²/(2ε). (Simo and Laursen 1992, Computers & Structures 42:97, eq. 2.17–2.20.)
+// Frictionless contact of the organ's faces with a rigid tool, at quadrature points, by a perturbed Lagrangian: the pressure t is an
+// unknown of its own, condensed at its point, and the gap it leaves is g(t) = −w t/(A + t): never deeper than w, at any pressure.
+// (Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163, eq. 3.4, with this g(t) for their −t/ε; decision 021.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
@@ -26,10 +27,17 @@ struct Tool {
   tools::Distance distance(const Eigen::Vector3d& x, double travel) const;
 };
 
-/// A face's corners, now and at rest, with its points' multipliers.
+/// A face's corners, now and at rest, with the pressures its points carry.
 struct Face {
   std::array<Eigen::Vector3d, 3> rest, now;
-  const double* multipliers = nullptr;  ///< points_per_face of them
+  const double* pressures = nullptr;  ///< points_per_face of them, MPa, not negative
+};
+
+/// A contact point seen from one Newton step: t and g(t) linearised at the pressure it carries.
+struct Point {
+  double pressure = 0;   ///< MPa: what the gap asks for, to first order; 0 when the point is let go
+  double stiffness = 0;  ///< −dt/dg, MPa/mm
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< out of the tool
 };
 
 /// What a face in contact adds to the equations, and to the tool's reaction.
@@ -39,12 +47,16 @@ struct FaceContact {
   Eigen::Matrix<double, 9, 9> tangent = Eigen::Matrix<double, 9, 9>::Zero();
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the tool on the organ, N
   double area = 0;                                  ///< of the deformed face in contact, mm²
-  std::array<double, points_per_face> pressure{};   ///< t, MPa
-  double worst_gap = 0;   ///< largest |g|/size over points under pressure, and −g/size where it penetrates
+  std::array<Point, points_per_face> points;
+  double penetration = 0;  ///< deepest point, of the face's size
+  double mismatch = 0;     ///< largest |g − g(t)|/w of a point: 0 at a solution
 };
 
-/// `penalty_modulus` (MPa): ε = penalty_modulus / face size.
-FaceContact face_contact(const Tool& tool, double travel, const Face& face, double penalty_modulus);
+/// `softness` (MPa): A, the pressure at which a point is half way to the deepest gap.
+FaceContact face_contact(const Tool& tool, double travel, const Face& face, double softness);
+
+/// Pressure of point `q` of a face after a part `length` of a Newton step that moves the face's corners by `corner_steps` against the tool.
+double next_pressure(const Point& point, int q, double before, const std::array<Eigen::Vector3d, 3>& corner_steps, double length);
 
 /// Edge of the equilateral triangle of the same area, mm: the local element size.
 double face_size(const std::array<Eigen::Vector3d, 3>& corners);

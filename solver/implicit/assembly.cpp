@@ -11,9 +11,8 @@
 namespace palpate::implicit {
 namespace {
 
-/// Penalty over shear modulus: a pressure of 2 μ sinks 1 % of an element in; deeper is augmented. Five times as much makes Newton
-/// chatter between sets of touching points.
-constexpr double penalty_over_shear_modulus = 200;
+/// A pressure of 2 μ takes half of the penetration that is allowed.
+constexpr double softness_over_shear_modulus = 2;
 
 Eigen::Matrix<double, 3, 4> corners(const Model& model, const std::array<int, 4>& tet) {
   Eigen::Matrix<double, 3, 4> X;
@@ -39,7 +38,7 @@ Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(th
     body_force_.push_back(body_force_of(model, tet));
   }
   for (const auto& material : model.materials)
-    penalty_modulus_ = std::max(penalty_modulus_, penalty_over_shear_modulus * material.shear_modulus());
+    contact_softness_ = std::max(contact_softness_, softness_over_shear_modulus * material.shear_modulus());
 }
 
 /// Adding takes a sixth of computing or less: few threads seldom wait for their turn.
@@ -79,7 +78,7 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
 void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix& tangent) const {
   const double travel = state.load * model_.tool->depth;
   auto& sums = equations.contact;
-  sums.pressure.assign(state.multipliers.size(), 0.0);
+  sums.points.assign(state.contact_pressures.size(), {});
   for (std::size_t f = 0; f < model_.faces.size(); ++f) {
     contact::Face face;
     const auto& nodes = model_.faces[f];
@@ -87,13 +86,14 @@ void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix
       face.rest[a] = model_.points[nodes[a]];
       face.now[a] = face.rest[a] + state.displacement(nodes[a]);
     }
-    face.multipliers = &state.multipliers[contact::points_per_face * f];
-    const auto contact = contact::face_contact(*model_.tool, travel, face, penalty_modulus_);
-    sums.worst_gap = std::max(sums.worst_gap, contact.worst_gap);
+    face.pressures = &state.contact_pressures[contact::points_per_face * f];
+    const auto contact = contact::face_contact(*model_.tool, travel, face, contact_softness_);
+    sums.penetration = std::max(sums.penetration, contact.penetration);
+    sums.mismatch = std::max(sums.mismatch, contact.mismatch);
     if (!contact.touched) continue;
     sums.force += contact.force;
     sums.area += contact.area;
-    std::copy(contact.pressure.begin(), contact.pressure.end(), sums.pressure.begin() + contact::points_per_face * f);
+    std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + contact::points_per_face * f);
     for (int a = 0; a < 3; ++a) {
       equations.residual.segment<3>(4 * nodes[a]) += contact.residual.segment<3>(3 * a);
       for (int b = 0; b < 3; ++b) {
@@ -116,6 +116,21 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
   add_elements(state, equations, tangent);
   if (equations.fault == elements::ElementFault::none && model_.tool) add_contact(state, equations, tangent);
   return equations;
+}
+
+std::vector<double> Assembly::next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double travel,
+                                             double length) const {
+  auto pressures = state.contact_pressures;
+  if (!model_.tool) return pressures;
+  for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+    std::array<Eigen::Vector3d, 3> corner_steps;
+    for (int a = 0; a < 3; ++a) corner_steps[a] = step.segment<3>(4 * model_.faces[f][a]) - travel * model_.tool->axis;
+    for (int q = 0; q < contact::points_per_face; ++q) {
+      const std::size_t i = contact::points_per_face * f + q;
+      pressures[i] = contact::next_pressure(contact.points[i], q, pressures[i], corner_steps, length);
+    }
+  }
+  return pressures;
 }
 
 std::vector<elements::ElementResult> Assembly::results(const State& state) const {

@@ -9,8 +9,8 @@ namespace palpate::implicit {
 struct ContactSums {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the tool on the organ, N
   double area = 0;                                  ///< mm²
-  double worst_gap = 0;                             ///< of the local element size; see FaceContact
-  std::vector<double> pressure;                     ///< t of every contact point, MPa
+  double penetration = 0, mismatch = 0;             ///< worst ones; see FaceContact
+  std::vector<contact::Point> points;               ///< every contact point
 };
 
 struct Equations {
@@ -30,6 +30,9 @@ class Assembly {
 
   /// Residual and tangent at `state` (its bubbles are solved in place). With a fault, neither is valid.
   Equations operator()(State& state, BlockMatrix& tangent) const;
+  /// Contact pressures after a part `length` of the Newton step `step` from `state`, while the tool travels on by `travel` (mm).
+  std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double travel,
+                                     double length) const;
   /// Von Mises stress and J of every tetrahedron.
   std::vector<elements::ElementResult> results(const State& state) const;
 
@@ -41,7 +44,7 @@ class Assembly {
   int threads_;
   std::vector<elements::Tetrahedron> rest_;
   std::vector<elements::BodyForce> body_force_;
-  double penalty_modulus_ = 0;
+  double contact_softness_ = 0;  ///< MPa, see contact::face_contact
 };
 
 }  // namespace palpate::implicit

@@ -7,7 +7,10 @@
 namespace palpate::implicit {
 namespace {
 
-constexpr double near_equilibrium = 1e-3;
+/// A contact point's gap may miss that of its pressure by this many times the tolerance of the forces, in parts of the deepest gap.
+constexpr double gap_scale = 1e-3;
+/// Beyond this growth of the residual an iteration is lost, and a smaller step is cheaper.
+constexpr double lost = 1e3;
 
 SparseDirect solver_for(const BlockMatrix& tangent, int threads) {
   std::vector<int> rows, columns;
@@ -69,7 +72,8 @@ double Equilibrium::relative_residual(const Trial& trial) const {
   for (int i = 0; i < r.size(); ++i)
     if (!fixed_[i]) (i % 4 == 3 ? volume : force) += r(i) * r(i);
   const double scale = trial.equations.internal_force + force_floor_;
-  return std::max({std::sqrt(force) / scale, std::sqrt(volume) / volume_scale_, trial.prescribed.norm()});
+  return std::max({std::sqrt(force) / scale, std::sqrt(volume) / volume_scale_, trial.prescribed.norm(),
+                   gap_scale * trial.equations.contact.mismatch});
 }
 
 bool Equilibrium::factor() {
@@ -106,22 +110,52 @@ void Equilibrium::explain_residual(const Trial& trial) {
               model_.points[worst]};
 }
 
-/// Full steps unless an element would invert or the residual would jump; then halves.
+/// Work of the unbalanced forces along a step: the slope of the potential energy on the way, as far as the step keeps the volume.
+double Equilibrium::slope(const Trial& trial, const Eigen::VectorXd& step) const {
+  double sum = 0;
+  for (int i = 0; i < step.size(); ++i)
+    if (i % 4 != 3 && !fixed_[i]) sum += step(i) * trial.equations.residual(i);
+  return sum;
+}
+
+/// The trial after a part of a step; false when an element would invert.
+bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length) {
+  trial.state = start.state;
+  trial.state.nodal += length * step;
+  trial.state.contact_pressures = assembly_.next_pressures(start.state, start.equations.contact, step, 0, length);
+  trial.prescribed = (1 - length) * start.prescribed;
+  trial.equations = assembly_(trial.state, tangent_);
+  if (trial.equations.fault != elements::ElementFault::none) return false;
+  trial.residual = relative_residual(trial);
+  return true;
+}
+
+/// Full steps where they neither invert an element, nor let the residual jump, nor climb the potential; else the length at which the
+/// slope is about to vanish, by false position (Matthies and Strang 1979, Int. J. Numer. Meth. Eng. 14:1613), or half of it.
 bool Equilibrium::line_search(Trial& trial, const Eigen::VectorXd& step) {
-  const State start = trial.state;
-  const Eigen::VectorXd to_apply = trial.prescribed;
-  const double before = trial.residual;
-  for (double length = 1; length > 1e-3; length /= 2) {
-    trial.state = start;
-    trial.state.nodal += length * step;
-    trial.equations = assembly_(trial.state, tangent_);
-    if (trial.equations.fault != elements::ElementFault::none) continue;
-    trial.prescribed = (1 - length) * to_apply;
-    trial.residual = relative_residual(trial);
-    if (trial.residual <= 10 * before || length < 0.2) return std::isfinite(trial.residual);
+  const Trial start = trial;
+  const double slope_before = slope(start, step);
+  const bool downhill = slope_before < 0 && start.prescribed.isZero(0);
+  double low = 0, low_slope = slope_before, high = 1, length = 1;
+  bool sound = false;
+  for (int evaluation = 0; evaluation < 12 && length > 1e-3; ++evaluation) {
+    sound = evaluate(trial, start, step, length);
+    const double now = sound && downhill ? slope(trial, step) : 0;
+    const bool jumped = !sound || !(trial.residual <= 10 * start.residual || (!downhill && length < 0.2));
+    if (sound && trial.residual <= 0.1 * start.residual) return true;
+    if (jumped || now > 0.5 * std::abs(slope_before)) {
+      high = length;
+      length = now > 0 ? low + (high - low) * low_slope / (low_slope - now) : (low + high) / 2;
+    } else if (now >= 0.5 * slope_before || length == 1) {
+      return true;
+    } else {
+      low = length;
+      low_slope = now;
+      length = (low + high) / 2;
+    }
   }
-  explain_fault(trial.equations);
-  return false;
+  if (!sound) explain_fault(trial.equations);
+  return sound && std::isfinite(trial.residual);
 }
 
 /// Euler's predictor: the organ gives way to the tool along the tangent at the old equilibrium. Without it the tool's new place
@@ -129,15 +163,16 @@ bool Equilibrium::line_search(Trial& trial, const Eigen::VectorXd& step) {
 /// correction.
 bool Equilibrium::follow_tool(Trial& trial, double load) {
   if (!at_equilibrium_) {
-    const Equations equations = assembly_(trial.state, tangent_);
-    if (equations.fault != elements::ElementFault::none || !factor()) return false;
-    by_travel_ = equations.by_travel;
+    last_found_ = assembly_(trial.state, tangent_);
+    if (last_found_.fault != elements::ElementFault::none || !factor()) return false;
   }
-  if (by_travel_.isZero(0)) return false;
-  trial.equations.residual = (load - trial.state.load) * model_.tool->depth * by_travel_;
+  if (last_found_.by_travel.isZero(0)) return false;
+  const double travel = (load - trial.state.load) * model_.tool->depth;
+  trial.equations.residual = travel * last_found_.by_travel;
   const Eigen::VectorXd step = back_substitute(trial);
   State moved = trial.state;
   moved.nodal += step;
+  moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, step, travel, 1);
   moved.load = load;
   trial.equations = assembly_(moved, tangent_);
   if (!step.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
@@ -146,16 +181,20 @@ bool Equilibrium::follow_tool(Trial& trial, double load) {
   return true;
 }
 
-bool Equilibrium::newton(Trial& trial, double tolerance) {
-  for (int i = 0; i < limits_.iterations; ++i) {
-    if (trial.residual <= tolerance) return true;
+bool Equilibrium::newton(Trial& trial) {
+  trial.residual = relative_residual(trial);
+  trial.history.push_back(trial.residual);
+  const double hopeless = lost * std::max(1.0, trial.residual);
+  while (!(trial.residual <= limits_.tolerance)) {
+    if (trial.iterations == limits_.iterations || !(trial.residual <= hopeless)) {
+      explain_residual(trial);
+      return false;
+    }
     if (!factor() || !line_search(trial, back_substitute(trial))) return false;
     ++trial.iterations;
     trial.history.push_back(trial.residual);
   }
-  if (trial.residual <= tolerance) return true;
-  explain_residual(trial);
-  return false;
+  return true;
 }
 
 std::optional<Found> Equilibrium::find(State& state, double load) {
@@ -166,31 +205,20 @@ std::optional<Found> Equilibrium::find(State& state, double load) {
     trial.prescribed(4 * p.node + p.component) = load * p.value - state.nodal(4 * p.node + p.component);
   const bool followed = model_.tool && follow_tool(trial, load);
   trial.state.load = load;
-  for (int augmentation = 0; augmentation <= limits_.augmentations; ++augmentation) {
-    if (augmentation > 0 || !followed) trial.equations = assembly_(trial.state, tangent_);
-    if (trial.equations.fault != elements::ElementFault::none) {
-      explain_fault(trial.equations);
-      return {};
-    }
-    trial.residual = relative_residual(trial);
-    trial.history.push_back(trial.residual);
-    // Near equilibrium is near enough to see whether the pressures need augmenting.
-    if (!newton(trial, near_equilibrium)) return {};
-    if (trial.equations.contact.worst_gap <= limits_.penetration && !newton(trial, limits_.tolerance)) return {};
-    if (trial.equations.contact.worst_gap <= limits_.penetration) {
-      if (trial.iterations > 0 && solver_.negative_pivots() != free_pressures_) {
-        trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
-        return {};
-      }
-      state = std::move(trial.state);
-      at_equilibrium_ = trial.iterations > 0;
-      by_travel_ = trial.equations.by_travel;
-      return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
-    }
-    trial.state.multipliers = trial.equations.contact.pressure;
+  if (!followed) trial.equations = assembly_(trial.state, tangent_);
+  if (trial.equations.fault != elements::ElementFault::none) {
+    explain_fault(trial.equations);
+    return {};
   }
-  trouble_ = {"the tool's contact does not settle within its penetration limit: try a finer mesh under the tool", model_.points.front()};
-  return {};
+  if (!newton(trial)) return {};
+  if (trial.iterations > 0 && solver_.negative_pivots() != free_pressures_) {
+    trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
+    return {};
+  }
+  state = std::move(trial.state);
+  at_equilibrium_ = trial.iterations > 0;
+  last_found_ = trial.equations;
+  return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
 }
 
 }  // namespace palpate::implicit

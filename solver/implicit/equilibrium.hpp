@@ -1,4 +1,4 @@
-// Equilibrium at a load by Newton's method with the consistent tangent, a line search, and augmentation of the contact pressures.
+// Equilibrium at a load by Newton's method with the consistent tangent and a line search; contact pressures are unknowns too.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <optional>
@@ -17,10 +17,8 @@ struct Trouble {
 };
 
 struct NewtonLimits {
-  int iterations = 14;        ///< per augmentation
-  int augmentations = 8;
-  double tolerance = 1e-9;    ///< of the residual: force over internal forces, volume over nodal volumes
-  double penetration = contact::deepest_gap;  ///< of the local element size
+  int iterations = 25;
+  double tolerance = 1e-9;  ///< of the residual: force over internal forces, volume over nodal volumes
 };
 
 struct Found {
@@ -41,8 +39,10 @@ class Equilibrium {
  private:
   struct Trial;
   bool follow_tool(Trial& trial, double load);
-  bool newton(Trial& trial, double tolerance);
+  bool newton(Trial& trial);
   bool line_search(Trial& trial, const Eigen::VectorXd& step);
+  bool evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length);
+  double slope(const Trial& trial, const Eigen::VectorXd& step) const;
   bool factor();
   Eigen::VectorXd back_substitute(const Trial& trial);
   double relative_residual(const Trial& trial) const;
@@ -58,7 +58,7 @@ class Equilibrium {
   int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
   double volume_scale_ = 0, force_floor_ = 0;
   bool at_equilibrium_ = false;  ///< the factor is the tangent's at the last state found
-  Eigen::VectorXd by_travel_;    ///< of that state
+  Equations last_found_;         ///< of that state
   Trouble trouble_;
 };
 

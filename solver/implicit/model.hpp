@@ -30,11 +30,11 @@ struct Model {
   std::optional<contact::Tool> tool;          ///< its travel is load · depth
 };
 
-/// Unknowns node by node (u_x, u_y, u_z, p), bubbles tet by tet, contact multipliers point by point.
+/// Unknowns node by node (u_x, u_y, u_z, p), bubbles tet by tet, contact pressures point by point.
 struct State {
   Eigen::VectorXd nodal;
   std::vector<Eigen::Vector3d> bubbles;
-  std::vector<double> multipliers;  ///< MPa
+  std::vector<double> contact_pressures;  ///< MPa
   double load = 0;
 
   Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
