@@ -41,16 +41,36 @@ Vector3d direction(const Settings& settings, const std::string& key) {
   return v.normalized();
 }
 
+/// The volume energy: κ from `kappa`, or Σ (J − 1)^(2i)/D_i from `D1`, … where the law's source writes it so (D1 = 2/κ).
+void read_volume_energy(const Settings& settings, elements::Material& material) {
+  const auto& law = material.law;
+  const auto given = [&](int i) { return i <= law.volume_terms && settings.has("D" + std::to_string(i)); };
+  if (settings.has("kappa") && std::isfinite(material.bulk_modulus))
+    throw Failure(ExitCode::misuse, "kappa is given twice: " + law.entry.name + " has nu", settings.where("kappa"));
+  if (settings.has("kappa") && given(1))
+    throw Failure(ExitCode::misuse, "the bulk modulus is given twice: kappa and D1 = 2/kappa", settings.where("D1"),
+                  "leave one out");
+  if (settings.has("kappa")) material.bulk_modulus = settings.real("kappa", {1e-9, 1e9});
+  if (given(1)) material.bulk_modulus = 2 / settings.real("D1", {1e-9, 1e9});
+  for (int i : {2, 3}) {
+    const std::string key = "D" + std::to_string(i);
+    if (!given(i)) continue;
+    if (!std::isfinite(material.bulk_modulus))
+      throw Failure(ExitCode::misuse, key + " without D1: the law is incompressible, nothing else counts", settings.where(key),
+                    "add D1 or kappa");
+    material.volume_stiffening[i - 2] = 1 / settings.real(key, {1e-9, 1e9});
+  }
+}
+
 elements::Material read_material(const Settings& settings) {
   elements::Material material;
   material.law = named(materials::all(), settings, "law");
   material.parameters = parameters(material.law.entry, settings);
+  if (material.law.objection)
+    if (const std::string objection = material.law.objection(material.parameters); !objection.empty())
+      throw Failure(ExitCode::misuse, objection, settings.where());
   material.bulk_modulus = material.law.bulk_modulus(material.parameters);
-  if (settings.has("kappa")) {
-    if (std::isfinite(material.bulk_modulus))
-      throw Failure(ExitCode::misuse, "kappa is given twice: " + material.law.entry.name + " has nu", settings.where("kappa"));
-    material.bulk_modulus = settings.real("kappa", {1e-9, 1e9});
-  }
+  read_volume_energy(settings, material);
   return material;
 }
 

@@ -94,6 +94,7 @@ Json ResultFolder::finish(double load_reached) {
                         {"parameters", parameters},
                         {"initial_shear_modulus_MPa", material.shear_modulus()},
                         {"bulk_modulus_MPa", finite_or_null(material.bulk_modulus)},
+                        {"volume_stiffening_MPa", material.volume_stiffening},
                         {"tool", shape},
                         {"depth_mm", {{"asked", tool.depth}, {"reached", load_reached * tool.depth}}},
                         {"peak_force_N", peak_force_},

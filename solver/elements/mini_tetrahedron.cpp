@@ -1,6 +1,7 @@
 // Potential of an element of volume V, over its four sub-tetrahedra s with F_s = I + Σ u_a ⊗ ∇N_a + 4 b ⊗ ∇N_s:
-//   Π = Σ_s V/4 [W(F_s) + p_s (J_s − 1)] − pᵀ M p/(2κ),   p_s = Σ_a w_sa p_a,   w_sa = 5/16 for a ≠ s, 1/16 for a = s.
-// Its stationary value is what physics.md §1 writes as two equations. (Arnold, Brezzi, Fortin 1984.)
+//   Π = Σ_s V/4 [W(F_s) + p_s (J_s − 1)] − ∫ U*(p),   p_s = Σ_a w_sa p_a,   w_sa = 5/16 for a ≠ s, 1/16 for a = s,
+// U* = p²/(2κ) for a quadratic volume energy. Its stationary value is what physics.md §1 writes as two equations. (Arnold,
+// Brezzi, Fortin 1984.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/elements/mini_tetrahedron.hpp>
 
@@ -155,8 +156,25 @@ ElementFault solve_bubble(const Tetrahedron& rest, const Material& material, Ele
   return ElementFault::bubble_not_converged;
 }
 
-/// P1 mass matrix: ∫ N_a N_b = V (1 + δ_ab)/20.
-Eigen::Matrix4d mass(double volume) { return volume / 20 * (Eigen::Matrix4d::Ones() + Eigen::Matrix4d::Identity()); }
+/// ∫ N_a U*′(p) and its derivative ∫ N_a U*″(p) N_b, at four points that are exact for a quadratic U* (Hammer, Marlowe, Stroud
+/// 1956).
+struct DilationTerm {
+  Eigen::Vector4d value = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d derivative = Eigen::Matrix4d::Zero();
+};
+
+DilationTerm dilation_term(const materials::VolumeEnergy& energy, const Eigen::Vector4d& p, double volume) {
+  constexpr double far = 0.1381966011250105151795413, near = 1 - 3 * far;  // (5 − √5)/20
+  DilationTerm term;
+  for (int q = 0; q < 4; ++q) {
+    Eigen::Vector4d N = Eigen::Vector4d::Constant(far);
+    N(q) = near;
+    const auto [value, slope] = materials::dilation(energy, N.dot(p));
+    term.value += volume / 4 * value * N;
+    term.derivative += volume / 4 * slope * N * N.transpose();
+  }
+  return term;
+}
 
 }  // namespace
 
@@ -191,10 +209,11 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
     r.segment<3>(3 * a) = along_rows<1>(ga, sums.P);
     for (int s = 0; s < 4; ++s) r.segment<3>(3 * a) -= quarter * mean_weight(a, s) * body_force.col(s);
   }
-  K.bottomRightCorner<4, 4>() = -mass(rest.volume) / material.bulk_modulus;
   Eigen::Vector4d p;
   for (int a = 0; a < 4; ++a) p(a) = state.nodal(4 * a + 3);
-  r.tail<4>() = quarter * sums.rp - mass(rest.volume) * p / material.bulk_modulus;
+  const DilationTerm dilation = dilation_term(material.volume_energy(), p, rest.volume);
+  K.bottomRightCorner<4, 4>() = -dilation.derivative;
+  r.tail<4>() = quarter * sums.rp - dilation.value;
 
   // Condensation: K − K_qb K_bb⁻¹ K_bq, where the bubble's own residual is already solved.
   Kb.rightCols<4>() = quarter * sums.bp;

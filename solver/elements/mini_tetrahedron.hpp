@@ -9,6 +9,7 @@
 
 #include <palpate/catalogue.hpp>
 #include <solver/materials/law.hpp>
+#include <solver/materials/volume_energy.hpp>
 
 namespace palpate::elements {
 
@@ -29,9 +30,11 @@ struct Material {
   materials::Law law;
   std::vector<double> parameters;
   double bulk_modulus = 0;  ///< κ in MPa, may be infinite
+  std::array<double, 2> volume_stiffening = {0, 0};  ///< 1/D2 and 1/D3 in MPa
 
   materials::Response respond(const materials::Mat3& F) const { return law.respond(F, parameters); }
   double shear_modulus() const { return law.shear_modulus(parameters); }
+  materials::VolumeEnergy volume_energy() const { return {bulk_modulus, volume_stiffening[0], volume_stiffening[1]}; }
 };
 
 /// Unknowns node by node: (u_x, u_y, u_z, p) × 4; bubble displacement in mm.

@@ -8,7 +8,7 @@ namespace {
 Response respond(const Mat3& F, std::span<const double> p) {
   const auto I1 = first_invariant(F);
   const double mu = p[0], b = p[1], Q = b * (I1.value - 3);
-  return from_first(I1, mu / (2 * b) * std::expm1(Q), mu / 2 * std::exp(Q), mu * b / 2 * std::exp(Q));
+  return from_one(I1, mu / (2 * b) * std::expm1(Q), mu / 2 * std::exp(Q), mu * b / 2 * std::exp(Q));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Isochoric invariants Ī1 = J^(−2/3) I1, Ī2 = J^(−4/3) I2 with first and second derivatives by F, and laws W(Ī1, Ī2) of them.
-// (Holzapfel 2000, Nonlinear Solid Mechanics, §6.4; the second derivatives are written out here in components.)
+// Isochoric invariants Ī1 = J^(−2/3) I1, Ī2 = J^(−4/3) I2, Ī4 = J^(−2/3) a·Ca with first and second derivatives by F, and laws of
+// them. (Holzapfel 2000, Nonlinear Solid Mechanics, §6.4; the second derivatives are written out here in components.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <solver/materials/law.hpp>
@@ -13,19 +13,26 @@ struct Invariant {
   Mat9 hessian;
 };
 
-/// Ī1 of F, det F > 0.
-inline Invariant first_invariant(const Mat3& F) {
+/// J^(−2/3) tr(F M Fᵀ) of F, det F > 0, with a symmetric M of the rest shape: Ī1 for M = I, Ī4 for M = a ⊗ a.
+inline Invariant stretch_invariant(const Mat3& F, const Mat3& M) {
   const Mat3 G = F.inverse().transpose();  // ∂ ln J/∂F
-  const double I1 = F.squaredNorm(), s = 2 * std::pow(F.determinant(), -2.0 / 3);
-  Invariant inv{0.5 * s * I1, s * (F - I1 / 3 * G), {}};
+  const Mat3 FM = F * M;
+  const double I = F.cwiseProduct(FM).sum(), s = 2 * std::pow(F.determinant(), -2.0 / 3);
+  Invariant inv{0.5 * s * I, s * (FM - I / 3 * G), {}};
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i)
           inv.hessian(i + 3 * j, k + 3 * l) = -2.0 / 3 * inv.gradient(i, j) * G(k, l) +
-                                              s * ((i == k && j == l) - 2.0 / 3 * G(i, j) * F(k, l) + I1 / 3 * G(i, l) * G(k, j));
+                                              s * ((i == k) * M(j, l) - 2.0 / 3 * G(i, j) * FM(k, l) + I / 3 * G(i, l) * G(k, j));
   return inv;
 }
+
+/// Ī1 of F, det F > 0.
+inline Invariant first_invariant(const Mat3& F) { return stretch_invariant(F, Mat3::Identity()); }
+
+/// Ī4 of F, det F > 0: the square of the isochoric stretch along a unit vector of the rest shape.
+inline Invariant fibre_invariant(const Mat3& F, const Eigen::Vector3d& a) { return stretch_invariant(F, a * a.transpose()); }
 
 /// Ī2 of F, det F > 0.
 inline Invariant second_invariant(const Mat3& F) {
@@ -45,10 +52,10 @@ inline Invariant second_invariant(const Mat3& F) {
   return inv;
 }
 
-/// P and A of W(Ī1) by the chain rule: W1 = ∂W/∂Ī1, W11 = ∂²W/∂Ī1².
-inline Response from_first(const Invariant& I1, double W, double W1, double W11) {
-  const Vec9 a = Eigen::Map<const Vec9>(I1.gradient.data());
-  Response r{W, W1 * I1.gradient, W1 * I1.hessian};
+/// P and A of W(Ī), one invariant, by the chain rule: W1 = ∂W/∂Ī, W11 = ∂²W/∂Ī².
+inline Response from_one(const Invariant& I, double W, double W1, double W11) {
+  const Vec9 a = Eigen::Map<const Vec9>(I.gradient.data());
+  Response r{W, W1 * I.gradient, W1 * I.hessian};
   if (W11 != 0) r.A += W11 * a * a.transpose();
   return r;
 }

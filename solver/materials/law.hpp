@@ -1,5 +1,5 @@
 // A material law: strain energy W(F) of the isochoric deformation, first Piola-Kirchhoff stress P = ∂W/∂F, tangent A = ∂P/∂F.
-// The volume part is the element's: p (J − 1) − p²/(2κ), κ → ∞ allowed.
+// The volume part is the element's: p (J − 1) − U*(p), volume_energy.hpp; κ → ∞ allowed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
@@ -34,6 +34,10 @@ struct Law {
   double (*shear_modulus)(std::span<const double> parameters) = nullptr;
   /// Bulk modulus κ, MPa; infinite for an incompressible law.
   double (*bulk_modulus)(std::span<const double> parameters) = nullptr;
+  /// How many D_i a case may give besides the parameters, for a volume energy Σ (J − 1)^(2i)/D_i: 0 to 3.
+  int volume_terms = 0;
+  /// What is wrong with parameters that lie in their ranges but do not go together; empty: nothing. May be absent.
+  std::string (*objection)(std::span<const double> parameters) = nullptr;
 };
 
 /// Every law of the folder, in alphabetical order (generated).

@@ -14,11 +14,11 @@ Response respond(const Mat3& F, std::span<const double> p) {
 }  // namespace
 
 Law mooney_rivlin() {
-  return {{"material", "mooney_rivlin", "incompressible solid, linear in both invariants",
+  return {{"material", "mooney_rivlin", "solid, linear in both invariants; incompressible, or with D1 in its volume energy",
            "Mooney 1940, A theory of large elastic deformation; Rivlin 1948, Phil. Trans. R. Soc. A 241:379",
            {{"C10", "MPa", {1e-9, 1e6}, 0.083, "half the part of the shear modulus carried by I1"},
             {"C01", "MPa", {0, 1e6}, 0.0565, "half the part of the shear modulus carried by I2"}}},
-          Kinematics::finite, respond, [](std::span<const double> p) { return 2 * (p[0] + p[1]); }, incompressible};
+          Kinematics::finite, respond, [](std::span<const double> p) { return 2 * (p[0] + p[1]); }, incompressible, 1};
 }
 
 }  // namespace palpate::materials

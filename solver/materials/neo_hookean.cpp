@@ -7,7 +7,7 @@ namespace {
 
 Response respond(const Mat3& F, std::span<const double> p) {
   const auto I1 = first_invariant(F);
-  return from_first(I1, p[0] / 2 * (I1.value - 3), p[0] / 2, 0);
+  return from_one(I1, p[0] / 2 * (I1.value - 3), p[0] / 2, 0);
 }
 
 }  // namespace

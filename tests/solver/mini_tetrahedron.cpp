@@ -27,6 +27,9 @@ std::vector<elements::Material> all_materials() {
     list.push_back(material(law.entry.name, values));
     list.back().bulk_modulus = std::min(list.back().bulk_modulus, 3.0);
   }
+  list.push_back(list.back());
+  list.back().bulk_modulus = 0.02;
+  list.back().volume_stiffening = {0.3, 2};
   return list;
 }
 

@@ -22,24 +22,106 @@ struct ClosedForm {
 
 const double E_mu = 3;  // E = 3 μ for ν = ½
 
+using V = const std::vector<double>&;
+
+/// ∂W/∂I1 of Yeoh's law at I1 − 3 = t.
+double yeoh_slope(double t, V p) { return p[0] + 2 * p[1] * t + 3 * p[2] * t * t; }
+
+/// Σ 2 μ/α (a^α − b^α): the difference of two principal Cauchy stresses of Ogden's law with stretches a and b.
+double ogden_difference(double a, double b, V p) {
+  double sum = 0;
+  for (int i : {0, 2, 4})
+    if (p[i] != 0) sum += 2 * p[i] / p[i + 1] * (std::pow(a, p[i + 1]) - std::pow(b, p[i + 1]));
+  return sum;
+}
+
+/// 2 ∂W/∂I4 of a fibre family whose squared stretch is I4: its Cauchy stress is that times (Fa) ⊗ (Fa).
+double hgo_tension(double I4, V p) { return I4 > 1 ? 2 * p[1] * (I4 - 1) * std::exp(p[2] * (I4 - 1) * (I4 - 1)) : 0; }
+
+/// Families at ± p[3] from x in the plane of x and y, stretch l along x: the stretch m along y where σ_y = σ_z = 0, by bisection
+/// of σ_y − σ_z = μ (m² − 1/(l m)²) + 2 T(I4) m² sin²; then P_x = (σ_x − σ_z)/l.
+double hgo_uniaxial(double l, V p) {
+  const double angle = p[3] * std::acos(-1.0) / 180, cos2 = std::cos(angle) * std::cos(angle), sin2 = 1 - cos2;
+  double low = 0.1, high = 10;
+  for (int i = 0; i < 200; ++i) {
+    const double m = 0.5 * (low + high), T = hgo_tension(l * l * cos2 + m * m * sin2, p);
+    (p[0] * (m * m - 1 / (l * l * m * m)) + 2 * T * m * m * sin2 > 0 ? high : low) = m;
+  }
+  const double m = low, T = hgo_tension(l * l * cos2 + m * m * sin2, p);
+  return (p[0] * (l * l - 1 / (l * l * m * m)) + 2 * T * l * l * cos2) / l;
+}
+
+double hgo_equibiaxial(double l, V p) {  // I4 = l², whatever the angle
+  const double c = std::cos(p[3] * std::acos(-1.0) / 180);
+  return p[0] * (l - std::pow(l, -5)) + 2 * hgo_tension(l * l, p) * l * c * c;
+}
+
+double hgo_shear(double k, V p) {  // u_y = k x: Fa = (c, ±s + k c), the two families differ
+  const double angle = p[3] * std::acos(-1.0) / 180, c = std::cos(angle);
+  double stress = p[0] * k;
+  for (double s : {std::sin(angle), -std::sin(angle)})
+    stress += hgo_tension(c * c + (s + k * c) * (s + k * c), p) * c * (s + k * c);
+  return stress;
+}
+
 std::vector<ClosedForm> closed_forms() {
-  using V = const std::vector<double>&;
   return {
-      {"neo_hookean", {0.0067}, [](double l, V p) { return p[0] * (l - 1 / (l * l)); },
-       [](double l, V p) { return p[0] * (l - std::pow(l, -5)); }, [](double k, V p) { return p[0] * k; }},
-      {"mooney_rivlin", {0.083, 0.0565}, [](double l, V p) { return 2 * (p[0] + p[1] / l) * (l - 1 / (l * l)); },
-       [](double l, V p) { return 2 * (p[0] + p[1] * l * l) * (l - std::pow(l, -5)); }, [](double k, V p) { return 2 * (p[0] + p[1]) * k; }},
-      {"fung_demiray", {0.0067, 1.3},
+      {"neo_hookean",
+       {0.0067},
+       [](double l, V p) { return p[0] * (l - 1 / (l * l)); },
+       [](double l, V p) { return p[0] * (l - std::pow(l, -5)); },
+       [](double k, V p) { return p[0] * k; }},
+      {"mooney_rivlin",
+       {0.083, 0.0565},
+       [](double l, V p) { return 2 * (p[0] + p[1] / l) * (l - 1 / (l * l)); },
+       [](double l, V p) { return 2 * (p[0] + p[1] * l * l) * (l - std::pow(l, -5)); },
+       [](double k, V p) { return 2 * (p[0] + p[1]) * k; }},
+      {"fung_demiray",
+       {0.0067, 1.3},
        [](double l, V p) { return p[0] * std::exp(p[1] * (l * l + 2 / l - 3)) * (l - 1 / (l * l)); },
        [](double l, V p) { return p[0] * std::exp(p[1] * (2 * l * l + std::pow(l, -4) - 3)) * (l - std::pow(l, -5)); },
        [](double k, V p) { return p[0] * std::exp(p[1] * k * k) * k; }},
-      {"hooke", {0.02, 0.5}, [](double l, V p) { return p[0] * std::log(l) / l; },
+      {"hooke",
+       {0.02, 0.5},
+       [](double l, V p) { return p[0] * std::log(l) / l; },
        [](double l, V p) { return 2 * p[0] * std::log(l) / l; },
-       // Hencky in simple shear: principal stretch λ with λ − 1/λ = k; σ1 − σ2 = 2 μ (ln λ1 − ln λ2) = 4 μ ln λ, and the principal
-       // axes of b give σ12 = ½ (σ1 − σ2) sin 2θ with sin 2θ = 2/√(4 + k²).
+       // Hencky in simple shear: principal stretch λ with λ − 1/λ = k; σ1 − σ2 = 2 μ (ln λ1 − ln λ2) = 4 μ ln λ, and the
+       // principal axes of b give σ12 = ½ (σ1 − σ2) sin 2θ with sin 2θ = 2/√(4 + k²).
        [](double k, V p) { return 4 * p[0] / E_mu * std::asinh(k / 2) / std::sqrt(4 + k * k); }},
-      {"hooke_linear", {0.02, 0.5}, [](double l, V p) { return p[0] * (l - 1); }, [](double l, V p) { return 2 * p[0] * (l - 1); },
+      {"hooke_linear",
+       {0.02, 0.5},
+       [](double l, V p) { return p[0] * (l - 1); },
+       [](double l, V p) { return 2 * p[0] * (l - 1); },
        [](double k, V p) { return p[0] / E_mu * k; }},
+      {"yeoh",
+       {0.0034, -0.0006, 0.0009},
+       [](double l, V p) { return 2 * yeoh_slope(l * l + 2 / l - 3, p) * (l - 1 / (l * l)); },
+       [](double l, V p) { return 2 * yeoh_slope(2 * l * l + std::pow(l, -4) - 3, p) * (l - std::pow(l, -5)); },
+       [](double k, V p) { return 2 * yeoh_slope(k * k, p) * k; }},
+      {"ogden",
+       {0.004, 3.3, 0.002, -4, 0.0007, 8},
+       [](double l, V p) { return ogden_difference(l, 1 / std::sqrt(l), p) / l; },
+       [](double l, V p) { return ogden_difference(l, 1 / (l * l), p) / l; },
+       // Principal stretches λ, 1/λ, 1 with λ − 1/λ = k, axes as for Hencky above.
+       [](double k, V p) {
+         const double l = k / 2 + std::sqrt(1 + k * k / 4);
+         return ogden_difference(l, 1 / l, p) / std::sqrt(4 + k * k);
+       }},
+      {"ogden",
+       {0.0067, -2.5, 0, 1, 0, 1},
+       [](double l, V p) { return ogden_difference(l, 1 / std::sqrt(l), p) / l; },
+       [](double l, V p) { return ogden_difference(l, 1 / (l * l), p) / l; },
+       [](double k, V p) {
+         const double l = k / 2 + std::sqrt(1 + k * k / 4);
+         return ogden_difference(l, 1 / l, p) / std::sqrt(4 + k * k);
+       }},
+      {"hgo", {0.0067, 0.01, 0.8, 35, 1, 0, 0, 0, 1, 0}, hgo_uniaxial, hgo_equibiaxial, hgo_shear},
+      {"hgo", {0.0067, 0.003, 2, 65, 2, 0, 0, -1, 3, 0}, hgo_uniaxial, hgo_equibiaxial, hgo_shear},
+      {"hgo",
+       {0.0067, 0.003, 1, 0, 1, 0, 0, 0, 1, 0},  // fibres along x: no root to find
+       [](double l, V p) { return p[0] * (l - 1 / (l * l)) + 2 * hgo_tension(l * l, p) * l; },
+       hgo_equibiaxial,
+       hgo_shear},
   };
 }
 

@@ -45,7 +45,8 @@ void run_patch(elements::Material m) {
   implicit::State state = implicit::rest_state(model);
   ASSERT_TRUE(equilibrium.find(state, 1)) << equilibrium.trouble().cause;
   const double J = m.law.kinematics == materials::Kinematics::small ? 1 + H.trace() : (Eigen::Matrix3d::Identity() + H).determinant();
-  const double p = m.bulk_modulus * (J - 1);
+  const double p = m.bulk_modulus * (J - 1) + 4 * m.volume_stiffening[0] * std::pow(J - 1, 3) +
+                   6 * m.volume_stiffening[1] * std::pow(J - 1, 5);
   const double stress = m.shear_modulus();
   for (std::size_t i = 0; i < model.points.size(); ++i) {
     EXPECT_LE((state.displacement(i) - H * model.points[i]).norm(), 1e-10);
@@ -62,4 +63,11 @@ TEST(Patch, EveryLawCompressible) {
   run_patch(material("neo_hookean", {0.0067}));
   run_patch(material("mooney_rivlin", {0.083, 0.0565}));
   run_patch(material("fung_demiray", {0.0067, 1.5}));
+  run_patch(material("ogden", {0.004, 3, 0.002, -4, 0.0007, 8}));
+  run_patch(material("hgo", {0.0067, 0.004, 1.5, 35, 1, 0, 0, 0, 1, 0}));
+  auto yeoh = material("yeoh", {0.0034, 0.0012, 0.0005});
+  run_patch(yeoh);
+  yeoh.bulk_modulus = 0.05;
+  yeoh.volume_stiffening = {2, 300};
+  run_patch(yeoh);
 }
