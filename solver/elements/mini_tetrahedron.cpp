@@ -17,17 +17,24 @@ using materials::Mat3;
 using materials::Mat9;
 using materials::Response;
 using materials::Vec9;
+using Vec81 = Eigen::Matrix<double, 81, 1>;
+using Mat93 = Eigen::Matrix<double, 9, 3>;
 using Mat94 = Eigen::Matrix<double, 9, 4>;
 
-constexpr double mean_weight(int a, int s) { return a == s ? 1.0 / 16 : 5.0 / 16; }
+/// Mean of a corner's shape function over the sub-tetrahedron opposite to the corner, and over the others.
+constexpr double near_weight = 1.0 / 16, far_weight = 5.0 / 16;
+constexpr double mean_weight(int a, int s) { return a == s ? near_weight : far_weight; }
 
-/// J − 1, its gradient by F, and the Hessian contracted with p: the volume term of one sub-tetrahedron.
+/// J − 1 and its gradient by F: the volume term of one sub-tetrahedron.
 struct VolumeTerm {
   double dilation = 0;  ///< J − 1
   Vec9 gradient;        ///< cof F, or I when the geometry is not updated
 };
 
-Vec9 flat(const Mat3& m) { return Eigen::Map<const Vec9>(m.data()); }
+Eigen::Map<const Vec9> flat(const Mat3& m) { return Eigen::Map<const Vec9>(m.data()); }
+/// Of 81 numbers in a row Eigen makes better loops than of 9 × 9.
+Eigen::Map<const Vec81> flat(const Mat9& m) { return Eigen::Map<const Vec81>(m.data()); }
+Eigen::Map<Vec81> flat(Mat9& m) { return Eigen::Map<Vec81>(m.data()); }
 
 Mat3 cofactor(const Mat3& F) {
   Mat3 c;
@@ -38,19 +45,19 @@ Mat3 cofactor(const Mat3& F) {
 }
 
 VolumeTerm volume_term(const Mat3& F, Kinematics kinematics) {
-  if (kinematics == Kinematics::small) return {F.trace() - 3, flat(Mat3::Identity())};
+  if (kinematics == Kinematics::small) return {F.trace() - 3, flat(Mat3(Mat3::Identity()))};
   return {F.determinant() - 1, flat(cofactor(F))};
 }
 
-/// A += p ∂cof F/∂F: ∂(cof F)_ij/∂F_kl = ε_ikm ε_jln F_mn.
-void add_cofactor_derivative(Mat9& A, double p, const Mat3& F) {
+/// A += ∂cof F/∂F, linear in F: ∂(cof F)_ij/∂F_kl = ε_ikm ε_jln F_mn.
+void add_cofactor_derivative(Mat9& A, const Mat3& F) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const int k = (i + 1) % 3, m = (i + 2) % 3, l = (j + 1) % 3, n = (j + 2) % 3;
-      A(i + 3 * j, k + 3 * l) += p * F(m, n);
-      A(i + 3 * j, m + 3 * n) += p * F(k, l);
-      A(i + 3 * j, k + 3 * n) -= p * F(m, l);
-      A(i + 3 * j, m + 3 * l) -= p * F(k, n);
+      A(i + 3 * j, k + 3 * l) += F(m, n);
+      A(i + 3 * j, m + 3 * n) += F(k, l);
+      A(i + 3 * j, k + 3 * n) -= F(m, l);
+      A(i + 3 * j, m + 3 * l) -= F(k, n);
     }
 }
 
@@ -87,73 +94,121 @@ SubTetrahedra sub_tetrahedra(const Tetrahedron& rest, const ElementState& state)
   return subs;
 }
 
-/// Everything summed over the sub-tetrahedra, before condensation. Suffixes: u 12 displacements, b bubble, p 4 pressures.
-struct Sums {
-  Vec9 P = Vec9::Zero();                        ///< Σ P_s + p_s cof F_s
-  Mat9 A = Mat9::Zero();                        ///< Σ A_s
-  Eigen::Matrix<double, 3, 9> GA = Eigen::Matrix<double, 3, 9>::Zero();  ///< Σ 4 (I⊗∇N_s)ᵀ A_s
-  Eigen::Matrix3d bb = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d rb = Eigen::Vector3d::Zero();
-  Mat94 cw = Mat94::Zero();                     ///< Σ cof F_s w_sᵀ
-  Eigen::Matrix<double, 3, 4> bp = Eigen::Matrix<double, 3, 4>::Zero();
-  Eigen::Vector4d rp = Eigen::Vector4d::Zero();
-  double stress_size = 0;
-  bool inverted = false;
+/// A bubble's trial, with what its equation needs summed over the sub-tetrahedra. Suffixes: u 12 displacements, b bubble, p 4
+/// pressures.
+struct Trial {
+  SubTetrahedra subs;
+  std::array<VolumeTerm, 4> volume;
+  Mat9 A;    ///< Σ A_s, the laws' part
+  Mat93 AG;  ///< Σ A_s 4 (I⊗∇N_s), the laws' part
+  Vec9 P;    ///< Σ P_s + p_s cof F_s
+  Mat3 bb;   ///< ∂cof F/∂F has no part in it: it is antisymmetric
+  Eigen::Vector3d rb;
+  double stress_size;
+  bool inverted;
 };
 
-Sums sum_over(const SubTetrahedra& subs, const Tetrahedron& rest, const Material& material, const BodyForce& body_force) {
-  Sums sums;
+void try_bubble(Trial& t, const Tetrahedron& rest, const Material& material, const ElementState& state,
+                const BodyForce& body_force) {
+  t.subs = sub_tetrahedra(rest, state);
+  t.A.setZero();
+  t.AG.setZero();
+  t.P.setZero();
+  t.bb.setZero();
+  t.rb = -0.25 * body_force.rowwise().sum();  // the bubble's mean over a sub-tetrahedron is 1/4
+  t.stress_size = 0;
+  t.inverted = false;
   const auto kinematics = material.law.kinematics;
   for (int s = 0; s < 4; ++s) {
-    const auto& [F, p] = subs[s];
-    const VolumeTerm volume = volume_term(F, kinematics);
-    if (kinematics == Kinematics::finite && !(volume.dilation > -1)) {
-      sums.inverted = true;
-      return sums;
+    const auto& [F, p] = t.subs[s];
+    t.volume[s] = volume_term(F, kinematics);
+    if (kinematics == Kinematics::finite && !(t.volume[s].dilation > -1)) {
+      t.inverted = true;
+      return;
     }
-    Response r = material.respond(F);
-    if (kinematics == Kinematics::finite) add_cofactor_derivative(r.A, p, F);
-    const Vec9 P = flat(r.P) + p * volume.gradient;
+    const Response r = material.respond(F);
+    const Vec9 P = flat(r.P) + p * t.volume[s].gradient;
     const Eigen::Vector3d g = 4 * rest.gradients.col(s);
-    const Eigen::Matrix<double, 3, 9> GA = along_rows<9>(g, r.A);
-    Eigen::RowVector4d w;
-    for (int a = 0; a < 4; ++a) w(a) = mean_weight(a, s);
-    sums.P += P;
-    sums.A += r.A;
-    sums.GA += GA;
-    sums.bb += along_columns<3>(g, GA);
-    sums.rb += along_rows<1>(g, P) - 0.25 * body_force.col(s);  // the bubble's mean over a sub-tetrahedron is 1/4
-    sums.cw += volume.gradient * w;
-    sums.bp += along_rows<1>(g, volume.gradient) * w;
-    sums.rp += volume.dilation * w.transpose();
-    sums.stress_size += flat(r.P).norm() + std::abs(p) * volume.gradient.norm();
+    const Mat93 AG = along_columns<9>(g, r.A);
+    flat(t.A) += flat(r.A);
+    t.AG += AG;
+    t.P += P;
+    t.bb += along_rows<3>(g, AG);
+    t.rb += along_rows<1>(g, P);
+    t.stress_size += flat(r.P).norm() + std::abs(p) * t.volume[s].gradient.norm();
   }
-  return sums;
 }
 
-/// Newton for the bubble: at most a few steps, halved while a sub-tetrahedron would invert.
-ElementFault solve_bubble(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force, Sums& sums) {
+/// Newton for the bubble: at most a few steps, halved while a sub-tetrahedron would invert. What is left of its residual is small
+/// enough for a last linear step, which the condensation takes.
+ElementFault solve_bubble(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force,
+                          Trial& trial) {
   constexpr int most_iterations = 30;
+  constexpr double linear = 1e-7;  // the last step's error is its square
   const double gradient_size = 4 * rest.gradients.norm();
-  sums = sum_over(sub_tetrahedra(rest, state), rest, material, body_force);
-  if (sums.inverted) {  // an old bubble in a new shape: begin again from none
+  try_bubble(trial, rest, material, state, body_force);
+  if (trial.inverted) {  // an old bubble in a new shape: begin again from none
     state.bubble.setZero();
-    sums = sum_over(sub_tetrahedra(rest, state), rest, material, body_force);
+    try_bubble(trial, rest, material, state, body_force);
   }
   for (int i = 0; i < most_iterations; ++i) {
-    if (sums.inverted) return ElementFault::inverted;
-    // Relative to the stress, but not below what rounding F near I leaves of it.
-    if (sums.rb.norm() <= gradient_size * (1e-11 * sums.stress_size + 1e-13 * material.shear_modulus())) return ElementFault::none;
-    const Eigen::LLT<Eigen::Matrix3d> factor(sums.bb);
+    if (trial.inverted) return ElementFault::inverted;
+    const Eigen::LLT<Mat3> factor(trial.bb);
     if (factor.info() != Eigen::Success) return ElementFault::bubble_not_positive;
-    const Eigen::Vector3d step = -factor.solve(sums.rb), start = state.bubble;
+    // Relative to the stress, but not below what rounding F near I leaves of it.
+    if (trial.rb.norm() <= gradient_size * (linear * trial.stress_size + 1e-13 * material.shear_modulus()))
+      return ElementFault::none;
+    const Eigen::Vector3d step = -factor.solve(trial.rb), start = state.bubble;
     for (double length = 1; length > 1e-3; length /= 2) {
       state.bubble = start + length * step;
-      sums = sum_over(sub_tetrahedra(rest, state), rest, material, body_force);
-      if (!sums.inverted) break;
+      try_bubble(trial, rest, material, state, body_force);
+      if (!trial.inverted) break;
     }
   }
   return ElementFault::bubble_not_converged;
+}
+
+/// The volume terms at the bubble solved: Σ_s x_s w_sa = far Σ_s x_s + (near − far) x_a.
+struct VolumeSums {
+  Mat94 cw;                        ///< Σ cof F_s w_sᵀ
+  Eigen::Matrix<double, 3, 4> bp;  ///< Σ 4 (I⊗∇N_s)ᵀ cof F_s w_sᵀ
+  Eigen::Vector4d rp;              ///< Σ (J_s − 1) w_s
+};
+
+VolumeSums volume_sums(const Trial& trial, const Tetrahedron& rest) {
+  VolumeSums sums;
+  for (int s = 0; s < 4; ++s) {
+    sums.cw.col(s) = trial.volume[s].gradient;
+    sums.bp.col(s) = along_rows<1>(4 * rest.gradients.col(s), trial.volume[s].gradient);
+    sums.rp(s) = trial.volume[s].dilation;
+  }
+  const auto weigh = [](auto&& column_of, const auto& sum) {
+    for (int a = 0; a < 4; ++a) column_of(a) = far_weight * sum + (near_weight - far_weight) * column_of(a);
+  };
+  weigh([&](int a) { return sums.cw.col(a); }, Vec9(sums.cw.rowwise().sum()));
+  weigh([&](int a) { return sums.bp.col(a); }, Eigen::Vector3d(sums.bp.rowwise().sum()));
+  weigh([&](int a) -> double& { return sums.rp(a); }, sums.rp.sum());
+  return sums;
+}
+
+/// A += Σ p_s ∂cof F_s/∂F, AG += Σ p_s ∂cof F_s/∂F 4 (I⊗∇N_s). In AG the bubble's part of F_s vanishes, by antisymmetry again.
+void add_geometric_stiffness(Trial& t, const Tetrahedron& rest) {
+  Mat3 pF = Mat3::Zero(), mean_F = Mat3::Zero();
+  Eigen::Vector3d pg = Eigen::Vector3d::Zero();
+  for (int s = 0; s < 4; ++s) {
+    pF += t.subs[s].p * t.subs[s].F;
+    mean_F += 0.25 * t.subs[s].F;
+    pg += 4 * t.subs[s].p * rest.gradients.col(s);
+  }
+  add_cofactor_derivative(t.A, pF);
+  for (int i = 0; i < 3; ++i) {
+    const int k = (i + 1) % 3, m = (i + 2) % 3;
+    const Eigen::Vector3d c = pg.cross(mean_F.row(m).transpose());
+    for (int j = 0; j < 3; ++j) {
+      t.AG(i + 3 * j, k) += c(j);
+      t.AG(k + 3 * j, i) -= c(j);
+    }
+  }
 }
 
 /// ∫ N_a U*′(p) and its derivative ∫ N_a U*″(p) N_b, at four points that are exact for a quadratic U* (Hammer, Marlowe, Stroud
@@ -191,46 +246,51 @@ Tetrahedron tetrahedron(const Eigen::Matrix<double, 3, 4>& X) {
 
 ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force) {
   ElementSystem system;
-  Sums sums;
-  system.fault = solve_bubble(rest, material, state, body_force, sums);
+  Trial trial;
+  system.fault = solve_bubble(rest, material, state, body_force, trial);
   if (system.fault != ElementFault::none) return system;
+  if (material.law.kinematics == Kinematics::finite) add_geometric_stiffness(trial, rest);
+  const VolumeSums sums = volume_sums(trial, rest);
   const double quarter = rest.volume / 4;
+  const Eigen::Vector4d p(state.nodal(3), state.nodal(7), state.nodal(11), state.nodal(15));
+  const DilationTerm dilation = dilation_term(material.volume_energy(), p, rest.volume);
+  const Eigen::Matrix4d pp = -dilation.derivative;
+  const Eigen::Vector4d rp = quarter * sums.rp - dilation.value;
 
-  // Full blocks, displacements then pressures.
-  Eigen::Matrix<double, 16, 16> K;
-  Vec16 r;
-  Eigen::Matrix<double, 3, 16> Kb;
+  // Blocks of the lower triangle, node by node, before condensation; and the bubble's columns.
+  auto& K = system.tangent;
+  Eigen::Matrix<double, 16, 3> Kb;
   for (int a = 0; a < 4; ++a) {
     const Eigen::Vector3d ga = quarter * rest.gradients.col(a);
-    const Eigen::Matrix<double, 3, 9> row = along_rows<9>(ga, sums.A);
-    for (int b = 0; b < 4; ++b) K.block<3, 3>(3 * a, 3 * b) = along_columns<3>(rest.gradients.col(b), row);
-    K.block<3, 4>(3 * a, 12) = along_rows<4>(ga, sums.cw);
-    Kb.middleCols<3>(3 * a) = along_columns<3>(ga, sums.GA);
-    r.segment<3>(3 * a) = along_rows<1>(ga, sums.P);
-    for (int s = 0; s < 4; ++s) r.segment<3>(3 * a) -= quarter * mean_weight(a, s) * body_force.col(s);
+    const Mat93 AGa = along_columns<9>(ga, trial.A);
+    const Eigen::Matrix<double, 3, 4> up = along_rows<4>(ga, sums.cw);
+    for (int b = 0; b < 4; ++b) {
+      if (b >= a) {
+        K.block<3, 3>(4 * b, 4 * a) = along_rows<3>(rest.gradients.col(b), AGa);
+        K(4 * b + 3, 4 * a + 3) = pp(b, a);
+        K.block<1, 3>(4 * b + 3, 4 * a) = up.col(b).transpose();
+      }
+      if (b <= a) K.block<3, 1>(4 * a, 4 * b + 3) = up.col(b);
+    }
+    Kb.middleRows<3>(4 * a) = along_rows<3>(ga, trial.AG);
+    Kb.row(4 * a + 3) = quarter * sums.bp.col(a).transpose();
+    system.residual.segment<3>(4 * a) = along_rows<1>(ga, trial.P);
+    for (int s = 0; s < 4; ++s) system.residual.segment<3>(4 * a) -= quarter * mean_weight(a, s) * body_force.col(s);
+    system.residual(4 * a + 3) = rp(a);
   }
-  Eigen::Vector4d p;
-  for (int a = 0; a < 4; ++a) p(a) = state.nodal(4 * a + 3);
-  const DilationTerm dilation = dilation_term(material.volume_energy(), p, rest.volume);
-  K.bottomRightCorner<4, 4>() = -dilation.derivative;
-  r.tail<4>() = quarter * sums.rp - dilation.value;
 
-  // Condensation: K − K_qb K_bb⁻¹ K_bq, where the bubble's own residual is already solved.
-  Kb.rightCols<4>() = quarter * sums.bp;
-  const Eigen::LLT<Eigen::Matrix3d> factor(quarter * sums.bb);
-  if (factor.info() != Eigen::Success) {
-    system.fault = ElementFault::bubble_not_positive;
-    return system;
-  }
-  K.bottomLeftCorner<4, 12>() = K.topRightCorner<12, 4>().transpose();
-  K -= Kb.transpose().lazyProduct(Eigen::Matrix<double, 3, 16>(factor.solve(Kb)));
-
-  static constexpr std::array<int, 16> from = {0, 1, 2, 12, 3, 4, 5, 13, 6, 7, 8, 14, 9, 10, 11, 15};  // node by node
-  for (int i = 0; i < 16; ++i) {
-    system.residual(i) = r(from[i]);
-    for (int j = 0; j < 16; ++j) system.tangent(i, j) = K(from[i], from[j]);
-  }
-  system.internal_force = quarter * sums.stress_size * rest.gradients.norm();
+  // Condensation: K − K_qb K_bb⁻¹ K_bq; r − K_qb K_bb⁻¹ r_b, the bubble's last step.
+  const Mat3 inverse = (quarter * trial.bb).inverse();
+  const Eigen::Vector3d step = -inverse * (quarter * trial.rb);
+  state.bubble += step;
+  system.residual += Kb * step;
+  const Eigen::Matrix<double, 3, 16> X = inverse * Kb.transpose();
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b <= a; ++b) {
+      K.block<4, 4>(4 * a, 4 * b) -= Kb.middleRows<4>(4 * a).lazyProduct(X.middleCols<4>(4 * b));
+      if (b < a) K.block<4, 4>(4 * b, 4 * a) = K.block<4, 4>(4 * a, 4 * b).transpose();
+    }
+  system.internal_force = quarter * trial.stress_size * rest.gradients.norm();
   return system;
 }
 
@@ -249,8 +309,11 @@ ElementResult mini_element_result(const Tetrahedron& rest, const Material& mater
 }
 
 CatalogueEntry mini_tetrahedron_entry() {
-  return {"element", "mini_tetrahedron", "P1+/P1: linear displacement with a bubble, linear pressure; stable for incompressible tissue",
-          "Arnold, Brezzi, Fortin 1984, Calcolo 21:337", {}};
+  return {"element",
+          "mini_tetrahedron",
+          "P1+/P1: linear displacement with a bubble, linear pressure; stable for incompressible tissue",
+          "Arnold, Brezzi, Fortin 1984, Calcolo 21:337",
+          {}};
 }
 
 }  // namespace palpate::elements
