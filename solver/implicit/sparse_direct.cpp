@@ -49,6 +49,7 @@ SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int>
   m.call(-1);
   for (int stream : {1, 2, 3, 4}) m.icntl(stream) = stream == 4 ? 0 : -1;  // silent
   m.icntl(7) = 5;    // METIS
+  m.icntl(12) = 1;   // ordering of the pattern alone; the default would weigh values, which are not known yet, for most of the time
   m.icntl(14) = 60;  // per cent of extra workspace for pivoting
   m.id.n = unknowns;
   m.id.nnz = static_cast<MUMPS_INT8>(m.rows.size());
