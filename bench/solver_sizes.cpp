@@ -33,7 +33,7 @@ implicit::Model block(int nodes) {
   auto model = brick(uniform(-30, 30, n - 1), uniform(-30, 30, n - 1), uniform(0, 36, static_cast<int>(0.6 * n) - 1));
   model.materials = {material("neo_hookean", {0.0067})};
   for (int c = 0; c < 3; ++c) hold(model, c, [](const Vector3d& x) { return x.z() < 1e-9; });
-  model.tool = contact::Tool{tool_named("ball"), {10.0}, -Vector3d::UnitZ(), {0.1, 0.2, 36}, 2.0};
+  model.tools = {contact::Tool{tool_named("ball"), {10.0}, -Vector3d::UnitZ(), {0.1, 0.2, 36}, 2.0, {}}};
   return model;
 }
 

@@ -3,17 +3,16 @@
 #include <solver/case.hpp>
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <sstream>
 
 #include <palpate/errors.hpp>
+#include <solver/case_parts.hpp>
+#include <solver/selection.hpp>
 
 namespace palpate {
-namespace {
 
 using Eigen::Vector3d;
-
-Vector3d eigen(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 std::string text_mm(const Vector3d& v) {
   std::ostringstream out;
@@ -21,25 +20,13 @@ std::string text_mm(const Vector3d& v) {
   return out.str();
 }
 
-template <class Entry>
-const Entry& named(const std::vector<Entry>& entries, const Settings& settings, const std::string& key) {
+std::vector<std::string> region_names(const TetMesh& mesh) {
   std::vector<std::string> names;
-  for (const auto& e : entries) names.push_back(e.entry.name);
-  const std::string name = settings.choice(key, names);
-  return *std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.entry.name == name; });
+  for (const auto& [region, name] : mesh.region_names) names.push_back(name);
+  return names;
 }
 
-std::vector<double> parameters(const CatalogueEntry& entry, const Settings& settings) {
-  std::vector<double> values;
-  for (const auto& p : entry.parameters) values.push_back(settings.real(p.name, p.range));
-  return values;
-}
-
-Vector3d direction(const Settings& settings, const std::string& key) {
-  const Vector3d v = eigen(settings.vec3(key));
-  if (!(v.norm() > 1e-9)) throw Failure(ExitCode::misuse, key + " has no direction", settings.where(key));
-  return v.normalized();
-}
+namespace {
 
 /// The volume energy: κ from `kappa`, or Σ (J − 1)^(2i)/D_i from `D1`, … where the law's source writes it so (D1 = 2/κ).
 void read_volume_energy(const Settings& settings, elements::Material& material) {
@@ -64,6 +51,7 @@ void read_volume_energy(const Settings& settings, elements::Material& material) 
 
 elements::Material read_material(const Settings& settings) {
   elements::Material material;
+  material.density = settings.real("density_kg_m3", 1050, {1e-3, 1e5});
   material.law = named(materials::all(), settings, "law");
   material.parameters = parameters(material.law.entry, settings);
   if (material.law.objection)
@@ -74,71 +62,38 @@ elements::Material read_material(const Settings& settings) {
   return material;
 }
 
-std::set<int> boundary_nodes(const TetMesh& mesh) {
-  std::set<int> nodes;
-  for (const auto& f : mesh.faces) nodes.insert(f.begin(), f.end());
-  return nodes;
-}
-
-/// Boundary nodes on the far side of a plane: (x − point) · normal ≤ 0.
-std::set<int> below_plane(const Settings& plane, const TetMesh& mesh, const std::vector<Vector3d>& points) {
-  const Vector3d point = eigen(plane.vec3("point_mm")), normal = direction(plane, "normal");
-  std::set<int> chosen;
-  for (int node : boundary_nodes(mesh))
-    if ((points[node] - point).dot(normal) <= 0) chosen.insert(node);
-  return chosen;
-}
-
-std::set<int> in_box(const Settings& box, const TetMesh& mesh, const std::vector<Vector3d>& points) {
-  const Vector3d low = eigen(box.vec3("min_mm")), high = eigen(box.vec3("max_mm"));
-  std::set<int> chosen;
-  for (int node : boundary_nodes(mesh))
-    if ((points[node].array() >= low.array()).all() && (points[node].array() <= high.array()).all()) chosen.insert(node);
-  return chosen;
-}
-
-std::set<int> with_label(const Settings& base, const TetMesh& mesh) {
-  std::vector<std::string> names;
-  for (const auto& [region, name] : mesh.region_names) names.push_back(name);
-  const std::string label = base.choice("label", names);
-  std::set<int> chosen;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const auto found = mesh.region_names.find(mesh.face_region[f]);
-    if (found != mesh.region_names.end() && found->second == label) chosen.insert(mesh.faces[f].begin(), mesh.faces[f].end());
+/// The materials of the mesh's regions; one without a region is everybody's.
+void read_materials(const Settings& settings, Case& c) {
+  const auto tables = settings.tables("material");
+  if (tables.empty()) settings.table("material");
+  std::map<std::string, int> of_region;
+  for (const auto& table : tables) {
+    c.model.materials.push_back(read_material(table));
+    if (!table.has("region") && tables.size() > 1)
+      throw Failure(ExitCode::misuse, "one of several materials has no region", table.where(), "region = \"name of a label\"");
+    if (table.has("region") && !of_region.emplace(table.choice("region", region_names(c.mesh)), of_region.size()).second)
+      throw Failure(ExitCode::misuse, "two materials for one region", table.where("region"));
   }
-  return chosen;
-}
-
-std::set<int> base_nodes(const Settings& base, const TetMesh& mesh, const std::vector<Vector3d>& points) {
-  const int given = base.has("plane") + base.has("box") + base.has("label");
-  if (given != 1) throw Failure(ExitCode::misuse, "a base is one of plane, box, label", base.where(), "plane = { point_mm = [..], normal = [..] }");
-  const auto chosen = base.has("plane") ? below_plane(base.table("plane"), mesh, points)
-                      : base.has("box") ? in_box(base.table("box"), mesh, points)
-                                        : with_label(base, mesh);
-  if (chosen.size() < 3)
-    throw Failure(ExitCode::misuse, "the base holds " + std::to_string(chosen.size()) + " nodes of the organ's surface", base.where(),
-                  "at least three: move the plane or enlarge the box");
-  return chosen;
-}
-
-contact::Tool read_tool(const Settings& settings, const TetMesh& mesh, const std::vector<Vector3d>& points, Vector3d& aim) {
-  contact::Tool tool;
-  tool.shape = named(tools::all(), settings, "kind");
-  tool.parameters = parameters(tool.shape.entry, settings);
-  tool.axis = direction(settings, "axis");
-  tool.depth = settings.real("depth_mm", {1e-6, 1e3});
-  aim = eigen(settings.vec3("aim_mm"));
-  std::vector<Vector3d> surface;
-  Eigen::AlignedBox3d box;
-  for (int node : boundary_nodes(mesh)) {
-    surface.push_back(points[node]);
-    box.extend(points[node]);
+  for (std::size_t t = 0; t < c.model.tets.size(); ++t) {
+    if (of_region.empty()) {
+      c.model.tet_material.push_back(0);
+      continue;
+    }
+    const auto name = c.mesh.region_names.find(c.mesh.tet_region[t]);
+    const auto found = name == c.mesh.region_names.end() ? of_region.end() : of_region.find(name->second);
+    if (found == of_region.end())
+      throw Failure(ExitCode::misuse, "region " + std::to_string(c.mesh.tet_region[t]) + " of the mesh has no material", settings.where("material"));
+    c.model.tet_material.push_back(found->second);
   }
-  for (const auto& f : mesh.faces) surface.push_back((points[f[0]] + points[f[1]] + points[f[2]]) / 3);
-  if (!contact::find_first_contact(tool, aim, surface))
-    throw Failure(ExitCode::misuse, "the tool misses the organ: its line through " + text_mm(aim) + " does not meet it", settings.where("aim_mm"),
-                  "aim inside the organ's box, " + text_mm(box.min()) + " to " + text_mm(box.max()));
-  return tool;
+}
+
+void read_steps(const Settings& settings, Case& c) {
+  if (!settings.has("steps")) return;
+  const Settings steps = settings.table("steps");
+  c.count = static_cast<int>(steps.integer("count", c.count, {1, 10000}));
+  c.steps.most_cuts = static_cast<int>(steps.integer("most_cuts", c.steps.most_cuts, {0, 20}));
+  c.frames = static_cast<int>(steps.integer("frames", c.frames, {1, 10000}));
+  c.keep_partial = steps.flag("keep_partial", false);
 }
 
 void copy_geometry(const TetMesh& mesh, implicit::Model& model, const std::filesystem::path& path) {
@@ -176,24 +131,15 @@ Case read_case(const std::filesystem::path& path, const std::filesystem::path& m
   Case c;
   const std::string mesh = settings.text("mesh", "mesh.vtu");
   c.mesh_path = mesh_override.empty() ? path.parent_path() / mesh : mesh_override;
-  const Settings material = settings.table("material"), base = settings.table("base"), tool = settings.table("tool");
-  c.model.materials = {read_material(material)};
-  c.speed_mm_s = tool.real("speed_mm_s", 1.0, {1e-6, 1e6});
-  if (settings.has("steps")) {
-    const Settings steps = settings.table("steps");
-    c.steps.count = static_cast<int>(steps.integer("count", c.steps.count, {1, 10000}));
-    c.steps.most_cuts = static_cast<int>(steps.integer("most_cuts", c.steps.most_cuts, {0, 20}));
-    c.frames = static_cast<int>(steps.integer("frames", c.frames, {1, 10000}));
-    c.keep_partial = steps.flag("keep_partial", false);
-  }
+  read_steps(settings, c);
   c.mesh = read_mesh(c.mesh_path);
   copy_geometry(c.mesh, c.model, c.mesh_path);
-  c.model.tet_material.assign(c.model.tets.size(), 0);
-  const auto held = base_nodes(base, c.mesh, c.model.points);
-  c.base_nodes = static_cast<int>(held.size());
-  for (int node : held)
-    for (int component = 0; component < 3; ++component) c.model.prescribed.push_back({node, component, 0});
-  c.model.tool = read_tool(tool, c.mesh, c.model.points, c.aim_mm);
+  read_materials(settings, c);
+  read_loads(settings, c);
+  read_tools(settings, c);
+  const double end = std::max(end_of_loads(c.model), 0.0);
+  if (!(end > 0)) throw Failure(ExitCode::misuse, "nothing moves the organ", settings.where(), "[tool], [[displacement]] or [[force]]");
+  for (int i = 0; i <= c.count; ++i) c.steps.times.push_back(end * i / c.count);
   settings.expect_all_read();
   return c;
 }

@@ -1,8 +1,10 @@
-// A case file (TOML, schema palpate-case/1): mesh, material, base, tool, steps; and the model it describes.
+// A case file (TOML, schema palpate-case/1): mesh, materials, what holds, loads and presses, steps; and the model it describes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <filesystem>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <palpate/mesh_files.hpp>
 #include <palpate/settings.hpp>
@@ -11,17 +13,29 @@
 
 namespace palpate {
 
+/// A patch of surface with a prescribed motion.
+struct Moved {
+  std::set<int> nodes;
+  Eigen::Vector3d motion_mm;  ///< times the amplitude
+  int amplitude = 0;
+};
+
 struct Case {
   std::filesystem::path mesh_path;
   TetMesh mesh;
   implicit::Model model;
+  implicit::StepPlan settling;  ///< gravity's own steps, from t = −1 to 0; no times without gravity
   implicit::StepPlan steps;
-  double speed_mm_s = 1;
+  int count = 20;               ///< of steps
   int frames = 5;            ///< besides the one at rest
   bool keep_partial = false; ///< deliver what was reached when the full depth is not
   int base_nodes = 0;
-  Eigen::Vector3d aim_mm;
+  std::vector<Moved> moved;
+  std::vector<Eigen::Vector3d> aims_mm;  ///< of the tools
 };
+
+/// Nodes of the surface and centroids of its faces, at rest or deformed by `state`, mm.
+std::vector<Eigen::Vector3d> surface_points(const Case& c, const implicit::State* state);
 
 /// Reads a case; `mesh_override` replaces its mesh unless empty. Throws Failure(misuse) for keys, values and names, with line;
 /// Failure(unreadable) for the mesh; Failure(misuse) when the base holds nothing or the tool misses the organ.

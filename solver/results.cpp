@@ -23,38 +23,95 @@ std::string number(double x) {
   return out.str();
 }
 
-/// Force of the base on the organ: the residual of the held unknowns. With the tool's force it must vanish.
-Vector3d base_reaction(const implicit::Model& model, const Eigen::VectorXd& residual) {
+Json numbers(const CatalogueEntry& entry, const std::vector<double>& values) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) json[entry.parameters[i].name] = values[i];
+  return json;
+}
+
+Json tool_facts(const contact::Tool& tool, const Vector3d& aim) {
+  Json facts = numbers(tool.shape.entry, tool.parameters);
+  facts["kind"] = tool.shape.entry.name;
+  facts["aim_mm"] = json(aim);
+  facts["axis"] = json(tool.axis);
+  facts["first_contact_mm"] = json(tool.first_contact);
+  return facts;
+}
+
+/// Force on the organ at prescribed displacements: the residual there.
+Vector3d reaction(const implicit::Model& model, const Eigen::VectorXd& residual) {
   Vector3d sum = Vector3d::Zero();
-  for (const auto& p : model.prescribed) sum(p.component) += residual(4 * p.node + p.component);
+  for (const auto& p : model.prescribed)
+    if (p.component < 3) sum(p.component) += residual(4 * p.node + p.component);
   return sum;
+}
+
+/// What is left when every force on the organ is added up, of the largest of them.
+double imbalance(const implicit::Model& model, const implicit::Assembly& assembly, const implicit::Step& step) {
+  const Vector3d held = reaction(model, step.equations.residual), loads = assembly.loads(step.state);
+  Vector3d sum = held + loads;
+  double largest = std::max(held.norm(), loads.norm());
+  for (const auto& tool : step.equations.contact.tools) {
+    sum += tool.force;
+    largest = std::max(largest, tool.force.norm());
+  }
+  return largest > 0 ? sum.norm() / largest : 0;
 }
 
 }  // namespace
 
+Driven driven(const Case& c, const implicit::Step& step) {
+  Driven d;
+  const bool at_rest = step.equations.residual.size() == 0;
+  if (!c.model.tools.empty()) {
+    const auto& tool = c.model.tools.front();
+    d.depth = tool.travel(step.state.time);
+    if (at_rest) return d;
+    const auto& sums = step.equations.contact.tools.front();
+    d.vector = sums.force;
+    d.force = sums.force.dot(tool.axis);
+    d.area = sums.area;
+  } else if (!c.moved.empty()) {
+    const auto& moved = c.moved.front();
+    d.depth = moved.motion_mm.norm() * c.model.amplitudes[moved.amplitude].at(step.state.time);
+    if (at_rest) return d;
+    for (int node : moved.nodes) d.vector += step.equations.residual.segment<3>(4 * node);
+    if (moved.motion_mm.norm() > 0) d.force = d.vector.dot(moved.motion_mm.normalized());
+  }
+  return d;
+}
+
 ResultFolder::ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly)
     : folder_(std::move(folder)), case_(the_case), assembly_(assembly) {
   std::filesystem::create_directory(folder_ / "frames");
-  history_ = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations\n";
+  history_ = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations";
+  for (std::size_t i = 2; i <= case_.model.tools.size(); ++i)
+    for (const char* column : {"Fx", "Fy", "Fz"}) history_ += "," + std::string(column) + std::to_string(i) + "[N]";
+  history_ += "\n";
+}
+
+void ResultFolder::settled(const implicit::Step& step) {
+  iterations_ += step.iterations;
+  cuts_ += step.cuts;
+  if (step.equations.residual.size() > 0) worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_.model, assembly_, step));
 }
 
 void ResultFolder::add(const implicit::Step& step, bool last) {
-  const auto& tool = *case_.model.tool;
+  settled(step);
   const auto& contact = step.equations.contact;
-  const double depth = step.state.load * tool.depth;
-  force_ = contact.force.dot(tool.axis);
-  contact_area_ = contact.area;
+  const Driven d = driven(case_, step);
+  force_ = d.force;
+  contact_area_ = d.area;
+  depth_ = d.depth;
   peak_force_ = std::max(peak_force_, force_);
-  iterations_ += step.iterations;
-  cuts_ += step.cuts;
   steps_ = step.index;
   worst_penetration_ = std::max(worst_penetration_, contact.penetration);
-  if (step.equations.residual.size() > 0 && force_ > 0)
-    worst_imbalance_ = std::max(worst_imbalance_, (base_reaction(case_.model, step.equations.residual) + contact.force).norm() / contact.force.norm());
-  for (double value : {depth / case_.speed_mm_s, depth, contact.force.x(), contact.force.y(), contact.force.z(), force_, contact.area})
-    history_ += number(value) + ",";
-  history_ += std::to_string(step.iterations) + "\n";
-  const int every = std::max(1, case_.steps.count / case_.frames);
+  for (double value : {step.state.time, d.depth, d.vector.x(), d.vector.y(), d.vector.z(), d.force, d.area}) history_ += number(value) + ",";
+  history_ += std::to_string(step.iterations);
+  for (std::size_t i = 1; i < case_.model.tools.size(); ++i)
+    for (int k = 0; k < 3; ++k) history_ += "," + number(i < contact.tools.size() ? contact.tools[i].force(k) : 0);
+  history_ += "\n";
+  const int every = std::max(1, case_.count / case_.frames);
   if (step.index % every == 0 || last) write_frame(step);
 }
 
@@ -73,42 +130,43 @@ void ResultFolder::write_frame(const implicit::Step& step) {
   std::ostringstream name;
   name << "frames/frame_" << std::setw(4) << std::setfill('0') << frame_count_++ << ".vtu";
   write_mesh(folder_ / name.str(), case_.mesh, {displacement, pressure}, {von_mises, J});
-  const double time = step.state.load * case_.model.tool->depth / case_.speed_mm_s;
-  frames_ += "    <DataSet timestep=\"" + number(time) + "\" part=\"0\" file=\"" + name.str() + "\"/>\n";
+  frames_ += "    <DataSet timestep=\"" + number(step.state.time) + "\" part=\"0\" file=\"" + name.str() + "\"/>\n";
 }
 
-Json ResultFolder::finish(double load_reached) {
+Json ResultFolder::finish(double time_reached) {
   write_text(folder_ / "history.csv", history_);
   write_text(folder_ / "frames.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
                                          frames_ + "  </Collection>\n</VTKFile>\n");
-  const auto& material = case_.model.materials.front();
-  const auto& tool = *case_.model.tool;
-  Json parameters = Json::object(), shape = {{"kind", tool.shape.entry.name}};
-  for (std::size_t i = 0; i < material.parameters.size(); ++i) parameters[material.law.entry.parameters[i].name] = material.parameters[i];
-  for (std::size_t i = 0; i < tool.parameters.size(); ++i) shape[tool.shape.entry.parameters[i].name] = tool.parameters[i];
-  shape["aim_mm"] = json(case_.aim_mm);
-  shape["axis"] = json(tool.axis);
-  shape["first_contact_mm"] = json(tool.first_contact);
-  const Json summary = {{"schema", "palpate-summary/1"},
-                        {"law", material.law.entry.name},
-                        {"parameters", parameters},
-                        {"initial_shear_modulus_MPa", material.shear_modulus()},
-                        {"bulk_modulus_MPa", finite_or_null(material.bulk_modulus)},
-                        {"volume_stiffening_MPa", material.volume_stiffening},
-                        {"tool", shape},
-                        {"depth_mm", {{"asked", tool.depth}, {"reached", load_reached * tool.depth}}},
-                        {"peak_force_N", peak_force_},
-                        {"final_force_N", force_},
-                        {"final_contact_area_mm2", contact_area_},
-                        {"nodes", case_.model.points.size()},
-                        {"tets", case_.model.tets.size()},
-                        {"base_nodes", case_.base_nodes},
-                        {"steps", steps_},
-                        {"cuts", cuts_},
-                        {"iterations", iterations_},
-                        {"smallest_J", smallest_J_},
-                        {"worst_penetration_of_element_size", worst_penetration_},
-                        {"worst_force_imbalance", worst_imbalance_}};
+  const auto& model = case_.model;
+  const auto& material = model.materials.front();
+  Json summary = {{"schema", "palpate-summary/1"},
+                  {"law", material.law.entry.name},
+                  {"parameters", numbers(material.law.entry, material.parameters)},
+                  {"initial_shear_modulus_MPa", material.shear_modulus()},
+                  {"bulk_modulus_MPa", finite_or_null(material.bulk_modulus)},
+                  {"volume_stiffening_MPa", material.volume_stiffening},
+                  {"time_s", {{"asked", case_.steps.times.back()}, {"reached", time_reached}}},
+                  {"peak_force_N", peak_force_},
+                  {"final_force_N", force_},
+                  {"final_contact_area_mm2", contact_area_},
+                  {"nodes", model.points.size()},
+                  {"tets", model.tets.size()},
+                  {"base_nodes", case_.base_nodes},
+                  {"steps", steps_},
+                  {"cuts", cuts_},
+                  {"iterations", iterations_},
+                  {"smallest_J", smallest_J_},
+                  {"worst_penetration_of_element_size", worst_penetration_},
+                  {"worst_force_imbalance", worst_imbalance_}};
+  for (const auto& more : model.materials)
+    if (model.materials.size() > 1) summary["materials"].push_back({{"law", more.law.entry.name}, {"parameters", numbers(more.law.entry, more.parameters)}});
+  Json shapes = Json::array();
+  for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_.aims_mm[i]));
+  if (!shapes.empty()) {
+    summary["tool"] = shapes[0];
+    summary["depth_mm"] = {{"asked", model.tools[0].depth}, {"reached", depth_}};
+  }
+  if (shapes.size() > 1) summary["tools"] = shapes;
   write_json(folder_ / "summary.json", summary);
   return summary;
 }

@@ -10,18 +10,30 @@
 
 namespace palpate {
 
+/// What the history follows: the first tool, or else the first patch that is moved.
+struct Driven {
+  double depth = 0;                                  ///< mm
+  double force = 0;                                  ///< along the motion, N, positive when the organ resists
+  double area = 0;                                   ///< of contact, mm²
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< force on the organ, N
+};
+Driven driven(const Case& c, const implicit::Step& step);
+
 /// Writes step by step; finish() writes what needs all of them. Throws Failure(unreadable) when the disk is full.
 class ResultFolder {
  public:
   ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly);
 
+  /// Counts a step that has no row: gravity's.
+  void settled(const implicit::Step& step);
   /// A row of the history; a frame too when it is time for one, or when `last`.
   void add(const implicit::Step& step, bool last);
   /// Writes history, frames' index and summary; returns the summary.
-  Json finish(double load_reached);
+  Json finish(double time_reached);
 
   double worst_force_imbalance() const { return worst_imbalance_; }
   double worst_penetration() const { return worst_penetration_; }
+  double depth() const { return depth_; }
   double smallest_J() const { return smallest_J_; }
 
  private:
@@ -32,7 +44,7 @@ class ResultFolder {
   const implicit::Assembly& assembly_;
   std::string history_, frames_;
   int frame_count_ = 0, iterations_ = 0, cuts_ = 0, steps_ = 0;
-  double peak_force_ = 0, contact_area_ = 0, force_ = 0;
+  double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1;
 };
 

@@ -147,6 +147,7 @@ Settings Settings::table(const std::string& key) const {
 std::vector<Settings> Settings::tables(const std::string& key) const {
   std::vector<Settings> list;
   if (!has(key)) return list;
+  if (const auto* single = find(*node_, key)->as_table()) return {Settings(child_of(node_, key, *single))};
   const toml::array* array = find(*node_, key)->as_array();
   if (!array) misuse(*this, key, "not a list of tables: " + key, "[[" + key + "]]");
   for (const auto& item : *array) {

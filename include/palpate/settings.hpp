@@ -33,7 +33,7 @@ class Settings {
   std::vector<double> reals(const std::string& key) const;
   /// A sub-table; throws when missing. Use has() first for an optional one.
   Settings table(const std::string& key) const;
-  /// An array of tables [[key]]; empty when missing.
+  /// An array of tables [[key]], or a single [key]; empty when missing.
   std::vector<Settings> tables(const std::string& key) const;
   /// Any value as JSON (numbers, text, flags, arrays).
   Json value(const std::string& key) const;

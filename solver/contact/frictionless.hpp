@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include <solver/amplitude.hpp>
 #include <solver/contact/tool.hpp>
 
 namespace palpate::contact {
@@ -15,13 +16,16 @@ constexpr int points_per_face = 6;
 /// No point of a solution lies deeper inside the tool than this part of the local element size.
 constexpr double deepest_gap = 0.01;
 
-/// A rigid tool on its way: its tip is at first_contact + travel · axis.
+/// A rigid tool on its way: its tip is at first_contact + travel · axis, travel = depth · ramp(time).
 struct Tool {
   tools::Shape shape;
   std::vector<double> parameters;
   Eigen::Vector3d axis;           ///< unit, direction of motion
   Eigen::Vector3d first_contact;  ///< the tip's place at first contact, mm
-  double depth = 0;               ///< travel at full load, mm
+  double depth = 0;               ///< mm
+  Amplitude ramp;
+
+  double travel(double time) const { return depth * ramp.at(time); }
 
   /// Distance at a point of space (mm), gradient and Hessian in the patient's frame.
   tools::Distance distance(const Eigen::Vector3d& x, double travel) const;

@@ -21,10 +21,6 @@ using Vec81 = Eigen::Matrix<double, 81, 1>;
 using Mat93 = Eigen::Matrix<double, 9, 3>;
 using Mat94 = Eigen::Matrix<double, 9, 4>;
 
-/// Mean of a corner's shape function over the sub-tetrahedron opposite to the corner, and over the others.
-constexpr double near_weight = 1.0 / 16, far_weight = 5.0 / 16;
-constexpr double mean_weight(int a, int s) { return a == s ? near_weight : far_weight; }
-
 /// J − 1 and its gradient by F: the volume term of one sub-tetrahedron.
 struct VolumeTerm {
   double dilation = 0;  ///< J − 1

@@ -31,6 +31,7 @@ struct Material {
   std::vector<double> parameters;
   double bulk_modulus = 0;  ///< κ in MPa, may be infinite
   std::array<double, 2> volume_stiffening = {0, 0};  ///< 1/D2 and 1/D3 in MPa
+  double density = 0;       ///< kg/m³, for gravity
 
   materials::Response respond(const materials::Mat3& F) const { return law.respond(F, parameters); }
   double shear_modulus() const { return law.shear_modulus(parameters); }
@@ -51,6 +52,10 @@ struct ElementSystem {
   double internal_force = 0;                       ///< size of the terms that cancel in the residual, N
   ElementFault fault = ElementFault::none;
 };
+
+/// Mean of a corner's shape function over the sub-tetrahedron opposite to the corner, and over the others.
+constexpr double near_weight = 1.0 / 16, far_weight = 5.0 / 16;
+constexpr double mean_weight(int corner, int sub) { return corner == sub ? near_weight : far_weight; }
 
 /// Density of body force at the four sub-tetrahedra's centroids, columns, N/mm³.
 using BodyForce = Eigen::Matrix<double, 3, 4>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 
 #include <solver/implicit/parallel.hpp>
 
@@ -21,24 +22,44 @@ Eigen::Matrix<double, 3, 4> corners(const Model& model, const std::array<int, 4>
 }
 
 /// Body force at the centroid of each sub-tetrahedron: three corners and the barycentre.
-elements::BodyForce body_force_of(const Model& model, const std::array<int, 4>& tet) {
-  elements::BodyForce force = elements::BodyForce::Zero();
+elements::BodyForce body_force_of(const Model& model, int tet) {
+  constexpr double kg_per_m3 = 1e-9;  // in kg/mm³: times m/s², N/mm³
+  elements::BodyForce force = (kg_per_m3 * model.materials[model.tet_material[tet]].density * model.gravity).replicate<1, 4>();
   if (!model.body_force) return force;
-  const auto X = corners(model, tet);
+  const auto X = corners(model, model.tets[tet]);
   const Eigen::Vector3d sum = X.rowwise().sum();
-  for (int s = 0; s < 4; ++s) force.col(s) = model.body_force((sum - X.col(s) + sum / 4) / 4);
+  for (int s = 0; s < 4; ++s) force.col(s) += model.body_force((sum - X.col(s) + sum / 4) / 4);
   return force;
+}
+
+/// A tetrahedron of every face.
+std::vector<int> tets_of_faces(const Model& model) {
+  std::map<std::array<int, 3>, int> tet_of;
+  for (int t = 0; t < static_cast<int>(model.tets.size()); ++t)
+    for (int s = 0; s < 4; ++s) {
+      std::array<int, 3> face;
+      for (int a = 0, i = 0; a < 4; ++a)
+        if (a != s) face[i++] = model.tets[t][a];
+      std::sort(face.begin(), face.end());
+      tet_of[face] = t;
+    }
+  std::vector<int> tets;
+  for (auto face : model.faces) {
+    std::sort(face.begin(), face.end());
+    tets.push_back(tet_of.at(face));
+  }
+  return tets;
 }
 
 }  // namespace
 
 Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(threads) {
-  for (const auto& tet : model.tets) {
-    rest_.push_back(elements::tetrahedron(corners(model, tet)));
-    body_force_.push_back(body_force_of(model, tet));
+  for (int t = 0; t < static_cast<int>(model.tets.size()); ++t) {
+    rest_.push_back(elements::tetrahedron(corners(model, model.tets[t])));
+    body_force_.push_back(body_force_of(model, t));
   }
-  for (const auto& material : model.materials)
-    contact_softness_ = std::max(contact_softness_, softness_over_shear_modulus * material.shear_modulus());
+  if (model.tools.empty()) return;
+  for (int t : tets_of_faces(model)) softness_.push_back(softness_over_shear_modulus * model.materials[model.tet_material[t]].shear_modulus());
 }
 
 /// Adding takes a sixth of computing or less: few threads seldom wait for their turn.
@@ -46,6 +67,7 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
   constexpr int batch = 64;  // its systems stay in a core's cache
   const int count = static_cast<int>(model_.tets.size());
   std::atomic<int> next_to_compute = 0, next_to_add = 0;
+  const double ramp = model_.amplitudes[model_.body_amplitude].at(state.time);
   double squares = 0;
   const auto add = [&](int e, const elements::ElementSystem& system) {
     if (system.fault != elements::ElementFault::none) {
@@ -63,7 +85,7 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
       const int end = std::min(begin + batch, count);
       for (int e = begin; e < end; ++e) {
         auto local = element_state(model_, state, e);
-        systems[e - begin] = elements::mini_element(rest_[e], model_.materials[model_.tet_material[e]], local, state.load * body_force_[e]);
+        systems[e - begin] = elements::mini_element(rest_[e], model_.materials[model_.tet_material[e]], local, ramp * body_force_[e]);
         state.bubbles[e] = local.bubble;
       }
       for (int turn; (turn = next_to_add.load()) != begin;) next_to_add.wait(turn);
@@ -75,10 +97,22 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
   equations.internal_force = std::sqrt(squares);
 }
 
-void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix& tangent) const {
-  const double travel = state.load * model_.tool->depth;
+void Assembly::add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const {
+  for (const auto& force : model_.nodal_forces)
+    equations.residual.segment<3>(4 * force.node) -= model_.amplitudes[force.amplitude].at(state.time) * force.value;
+  for (const auto& spring : model_.springs) {
+    equations.residual.segment<3>(4 * spring.node) += spring.stiffness * state.displacement(spring.node);
+    Block block = Block::Zero();
+    block.diagonal().head<3>().setConstant(spring.stiffness);
+    tangent.add(spring.node, spring.node, block);
+  }
+}
+
+void Assembly::add_contact(int index, const State& state, Equations& equations, BlockMatrix& tangent) const {
+  const contact::Tool& tool = model_.tools[index];
   auto& sums = equations.contact;
-  sums.points.assign(state.contact_pressures.size(), {});
+  auto& own = sums.tools[index];
+  own.by_travel = Eigen::VectorXd::Zero(state.nodal.size());
   for (std::size_t f = 0; f < model_.faces.size(); ++f) {
     contact::Face face;
     const auto& nodes = model_.faces[f];
@@ -86,19 +120,20 @@ void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix
       face.rest[a] = model_.points[nodes[a]];
       face.now[a] = face.rest[a] + state.displacement(nodes[a]);
     }
-    face.pressures = &state.contact_pressures[contact::points_per_face * f];
-    const auto contact = contact::face_contact(*model_.tool, travel, face, contact_softness_);
+    const std::size_t first = contact::points_per_face * (index * model_.faces.size() + f);
+    face.pressures = &state.contact_pressures[first];
+    const auto contact = contact::face_contact(tool, tool.travel(state.time), face, softness_[f]);
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
     if (!contact.touched) continue;
-    sums.force += contact.force;
-    sums.area += contact.area;
-    std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + contact::points_per_face * f);
+    own.force += contact.force;
+    own.area += contact.area;
+    std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + first);
     for (int a = 0; a < 3; ++a) {
       equations.residual.segment<3>(4 * nodes[a]) += contact.residual.segment<3>(3 * a);
       for (int b = 0; b < 3; ++b) {
         // Only the place of face and tool against each other counts: ∂r/∂travel = −K_contact · (a rigid motion along the axis).
-        equations.by_travel.segment<3>(4 * nodes[a]) -= contact.tangent.block<3, 3>(3 * a, 3 * b) * model_.tool->axis;
+        own.by_travel.segment<3>(4 * nodes[a]) -= contact.tangent.block<3, 3>(3 * a, 3 * b) * tool.axis;
         if (nodes[b] > nodes[a]) continue;
         Block block = Block::Zero();
         block.topLeftCorner<3, 3>() = contact.tangent.block<3, 3>(3 * a, 3 * b);
@@ -111,26 +146,59 @@ void Assembly::add_contact(const State& state, Equations& equations, BlockMatrix
 Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
   Equations equations;
   equations.residual = Eigen::VectorXd::Zero(state.nodal.size());
-  equations.by_travel = Eigen::VectorXd::Zero(state.nodal.size());
+  equations.contact.tools.resize(model_.tools.size());
+  equations.contact.points.assign(state.contact_pressures.size(), {});
   tangent.set_zero(threads_);
   add_elements(state, equations, tangent);
-  if (equations.fault == elements::ElementFault::none && model_.tool) add_contact(state, equations, tangent);
+  if (equations.fault != elements::ElementFault::none) return equations;
+  add_loads(state, equations, tangent);
+  for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
   return equations;
 }
 
-std::vector<double> Assembly::next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double travel,
+Eigen::VectorXd Assembly::change_by_time(const Equations& equations, double from, double to) const {
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(equations.residual.size());
+  for (std::size_t i = 0; i < model_.tools.size(); ++i)
+    change += (model_.tools[i].travel(to) - model_.tools[i].travel(from)) * equations.contact.tools[i].by_travel;
+  for (const auto& force : model_.nodal_forces) {
+    const auto& ramp = model_.amplitudes[force.amplitude];
+    change.segment<3>(4 * force.node) -= (ramp.at(to) - ramp.at(from)) * force.value;
+  }
+  const auto& ramp = model_.amplitudes[model_.body_amplitude];
+  const double growth = ramp.at(to) - ramp.at(from);
+  if (growth != 0)
+    for (std::size_t e = 0; e < model_.tets.size(); ++e)  // without the bubbles' share: good enough to predict
+      for (int a = 0; a < 4; ++a)
+        for (int s = 0; s < 4; ++s)
+          change.segment<3>(4 * model_.tets[e][a]) -= growth * rest_[e].volume / 4 * elements::mean_weight(a, s) * body_force_[e].col(s);
+  return change;
+}
+
+std::vector<double> Assembly::next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double time,
                                              double length) const {
   auto pressures = state.contact_pressures;
-  if (!model_.tool) return pressures;
-  for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-    std::array<Eigen::Vector3d, 3> corner_steps;
-    for (int a = 0; a < 3; ++a) corner_steps[a] = step.segment<3>(4 * model_.faces[f][a]) - travel * model_.tool->axis;
-    for (int q = 0; q < contact::points_per_face; ++q) {
-      const std::size_t i = contact::points_per_face * f + q;
-      pressures[i] = contact::next_pressure(contact.points[i], q, pressures[i], corner_steps, length);
+  for (std::size_t i = 0; i < model_.tools.size(); ++i) {
+    const auto& tool = model_.tools[i];
+    const Eigen::Vector3d motion = (tool.travel(time) - tool.travel(state.time)) * tool.axis;
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      std::array<Eigen::Vector3d, 3> corner_steps;
+      for (int a = 0; a < 3; ++a) corner_steps[a] = step.segment<3>(4 * model_.faces[f][a]) - motion;
+      for (int q = 0; q < contact::points_per_face; ++q) {
+        const std::size_t at = contact::points_per_face * (i * model_.faces.size() + f) + q;
+        pressures[at] = contact::next_pressure(contact.points[at], q, pressures[at], corner_steps, length);
+      }
     }
   }
   return pressures;
+}
+
+Eigen::Vector3d Assembly::loads(const State& state) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t e = 0; e < model_.tets.size(); ++e) sum += rest_[e].volume / 4 * body_force_[e].rowwise().sum();
+  sum *= model_.amplitudes[model_.body_amplitude].at(state.time);
+  for (const auto& force : model_.nodal_forces) sum += model_.amplitudes[force.amplitude].at(state.time) * force.value;
+  for (const auto& spring : model_.springs) sum -= spring.stiffness * state.displacement(spring.node);
+  return sum;
 }
 
 std::vector<elements::ElementResult> Assembly::results(const State& state) const {

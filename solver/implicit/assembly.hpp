@@ -6,16 +6,21 @@
 
 namespace palpate::implicit {
 
-struct ContactSums {
+/// A tool's reaction.
+struct ToolSums {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the tool on the organ, N
   double area = 0;                                  ///< mm²
-  double penetration = 0, mismatch = 0;             ///< worst ones; see FaceContact
-  std::vector<contact::Point> points;               ///< every contact point
+  Eigen::VectorXd by_travel;                        ///< ∂residual/∂(travel of the tool), N/mm
+};
+
+struct ContactSums {
+  std::vector<ToolSums> tools;
+  double penetration = 0, mismatch = 0;  ///< worst ones; see FaceContact
+  std::vector<contact::Point> points;    ///< every contact point, as State::contact_pressures
 };
 
 struct Equations {
   Eigen::VectorXd residual;   ///< node by node: force (N) × 3, volume (mm³)
-  Eigen::VectorXd by_travel;  ///< ∂residual/∂(travel of the tool), N/mm
   double internal_force = 0;  ///< root of the sum of squares of the terms that cancel, N
   ContactSums contact;
   elements::ElementFault fault = elements::ElementFault::none;
@@ -30,21 +35,26 @@ class Assembly {
 
   /// Residual and tangent at `state` (its bubbles are solved in place). With a fault, neither is valid.
   Equations operator()(State& state, BlockMatrix& tangent) const;
-  /// Contact pressures after a part `length` of the Newton step `step` from `state`, while the tool travels on by `travel` (mm).
-  std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double travel,
+  /// Change of the residual at an unchanged shape when time goes on: loads grow, tools travel (to first order).
+  Eigen::VectorXd change_by_time(const Equations& equations, double from, double to) const;
+  /// Contact pressures after a part `length` of the Newton step `step` from `state`, while time goes on to `time`.
+  std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double time,
                                      double length) const;
+  /// Sum of gravity, body forces, nodal forces and springs on the organs, N.
+  Eigen::Vector3d loads(const State& state) const;
   /// Von Mises stress and J of every tetrahedron.
   std::vector<elements::ElementResult> results(const State& state) const;
 
  private:
   void add_elements(State& state, Equations& equations, BlockMatrix& tangent) const;
-  void add_contact(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_contact(int tool, const State& state, Equations& equations, BlockMatrix& tangent) const;
 
   const Model& model_;
   int threads_;
   std::vector<elements::Tetrahedron> rest_;
   std::vector<elements::BodyForce> body_force_;
-  double contact_softness_ = 0;  ///< MPa, see contact::face_contact
+  std::vector<double> softness_;  ///< of every face, MPa, see contact::face_contact
 };
 
 }  // namespace palpate::implicit

@@ -122,7 +122,7 @@ double Equilibrium::slope(const Trial& trial, const Eigen::VectorXd& step) const
 bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length) {
   trial.state = start.state;
   trial.state.nodal += length * step;
-  trial.state.contact_pressures = assembly_.next_pressures(start.state, start.equations.contact, step, 0, length);
+  trial.state.contact_pressures = assembly_.next_pressures(start.state, start.equations.contact, step, start.state.time, length);
   trial.prescribed = (1 - length) * start.prescribed;
   trial.equations = assembly_(trial.state, tangent_);
   if (trial.equations.fault != elements::ElementFault::none) return false;
@@ -158,22 +158,22 @@ bool Equilibrium::line_search(Trial& trial, const Eigen::VectorXd& step) {
   return sound && std::isfinite(trial.residual);
 }
 
-/// Euler's predictor: the organ gives way to the tool along the tangent at the old equilibrium. Without it the tool's new place
+/// Euler's predictor: the organ gives way to tools and loads along the tangent at the old equilibrium. Without it a tool's new place
 /// presses on points that it would have carried along. The factor left by the last step found is that tangent's, to Newton's last
 /// correction.
-bool Equilibrium::follow_tool(Trial& trial, double load) {
+bool Equilibrium::predict(Trial& trial, double time) {
   if (!at_equilibrium_) {
     last_found_ = assembly_(trial.state, tangent_);
     if (last_found_.fault != elements::ElementFault::none || !factor()) return false;
   }
-  if (last_found_.by_travel.isZero(0)) return false;
-  const double travel = (load - trial.state.load) * model_.tool->depth;
-  trial.equations.residual = travel * last_found_.by_travel;
+  trial.equations.residual = assembly_.change_by_time(last_found_, trial.state.time, time);
+  const bool still = trial.equations.residual.isZero(0) && trial.prescribed.isZero(0);
+  if (still && !model_.tools.empty()) return false;  // no tool touches yet
   const Eigen::VectorXd step = back_substitute(trial);
   State moved = trial.state;
   moved.nodal += step;
-  moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, step, travel, 1);
-  moved.load = load;
+  moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, step, time, 1);
+  moved.time = time;
   trial.equations = assembly_(moved, tangent_);
   if (!step.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
   trial.state = std::move(moved);
@@ -197,15 +197,16 @@ bool Equilibrium::newton(Trial& trial) {
   return true;
 }
 
-std::optional<Found> Equilibrium::find(State& state, double load) {
+std::optional<Found> Equilibrium::find(State& state, double time) {
   Trial trial;
   trial.state = state;
   trial.prescribed = Eigen::VectorXd::Zero(state.nodal.size());
   for (const auto& p : model_.prescribed)
-    trial.prescribed(4 * p.node + p.component) = load * p.value - state.nodal(4 * p.node + p.component);
-  const bool followed = model_.tool && follow_tool(trial, load);
-  trial.state.load = load;
-  if (!followed) trial.equations = assembly_(trial.state, tangent_);
+    trial.prescribed(4 * p.node + p.component) =
+        model_.amplitudes[p.amplitude].at(time) * p.value - state.nodal(4 * p.node + p.component);
+  const bool predicted = predict(trial, time);
+  trial.state.time = time;
+  if (!predicted) trial.equations = assembly_(trial.state, tangent_);
   if (trial.equations.fault != elements::ElementFault::none) {
     explain_fault(trial.equations);
     return {};

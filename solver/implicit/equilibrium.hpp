@@ -1,4 +1,4 @@
-// Equilibrium at a load by Newton's method with the consistent tangent and a line search; contact pressures are unknowns too.
+// Equilibrium at a time by Newton's method with the consistent tangent and a line search; contact pressures are unknowns too.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <optional>
@@ -31,14 +31,14 @@ class Equilibrium {
  public:
   Equilibrium(const Model& model, int threads, NewtonLimits limits = {});
 
-  /// Changes `state` to the equilibrium at `load`, or leaves it untouched, returns nothing and sets trouble().
-  std::optional<Found> find(State& state, double load);
+  /// Changes `state` to the equilibrium at `time` (s), or leaves it untouched, returns nothing and sets trouble().
+  std::optional<Found> find(State& state, double time);
   const Trouble& trouble() const { return trouble_; }
   const Assembly& assembly() const { return assembly_; }
 
  private:
   struct Trial;
-  bool follow_tool(Trial& trial, double load);
+  bool predict(Trial& trial, double time);
   bool newton(Trial& trial);
   bool line_search(Trial& trial, const Eigen::VectorXd& step);
   bool evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length);

@@ -8,7 +8,7 @@ State rest_state(const Model& model) {
   State state;
   state.nodal = Eigen::VectorXd::Zero(4 * model.points.size());
   state.bubbles.assign(model.tets.size(), Eigen::Vector3d::Zero());
-  state.contact_pressures.assign(contact::points_per_face * model.faces.size(), 0.0);
+  state.contact_pressures.assign(contact::points_per_face * model.faces.size() * model.tools.size(), 0.0);
   return state;
 }
 

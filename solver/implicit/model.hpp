@@ -1,10 +1,9 @@
-// What is solved: an organ of tetrahedra, what holds it, what presses it. And the state of the solution.
+// What is solved: organs of tetrahedra, what holds, loads and presses them over time. And the state of the solution.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
 #include <array>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include <solver/contact/frictionless.hpp>
@@ -12,11 +11,25 @@
 
 namespace palpate::implicit {
 
-/// u_component(node) = load · value (mm), load from 0 to 1; component 3 is the pressure (MPa).
+/// u_component(node) = value (mm) · amplitude(time); component 3 is the pressure (MPa).
 struct Prescribed {
   int node = 0;
   int component = 0;
   double value = 0;
+  int amplitude = 0;  ///< index into Model::amplitudes
+};
+
+/// A dead force (N) · amplitude(time) on a node.
+struct NodalForce {
+  int node = 0;
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  int amplitude = 0;
+};
+
+/// Pulls a node back to its rest position: N/mm in every direction.
+struct Spring {
+  int node = 0;
+  double stiffness = 0;
 };
 
 struct Model {
@@ -25,17 +38,22 @@ struct Model {
   std::vector<elements::Material> materials;
   std::vector<int> tet_material;              ///< one per tet: index into materials
   std::vector<std::array<int, 3>> faces;      ///< boundary, outward: where contact can happen
+  std::vector<Amplitude> amplitudes{1};       ///< the first one is the time itself
   std::vector<Prescribed> prescribed;
-  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> body_force;  ///< N/mm³ at a rest position, scaled by load; may be empty
-  std::optional<contact::Tool> tool;          ///< its travel is load · depth
+  std::vector<NodalForce> nodal_forces;
+  std::vector<Spring> springs;
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s², times the materials' densities
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> body_force;  ///< N/mm³ at a rest position, besides gravity; may be empty
+  int body_amplitude = 0;                     ///< of gravity and body force
+  std::vector<contact::Tool> tools;
 };
 
 /// Unknowns node by node (u_x, u_y, u_z, p), bubbles tet by tet, contact pressures point by point.
 struct State {
   Eigen::VectorXd nodal;
   std::vector<Eigen::Vector3d> bubbles;
-  std::vector<double> contact_pressures;  ///< MPa
-  double load = 0;
+  std::vector<double> contact_pressures;  ///< MPa; tool by tool, face by face, point by point
+  double time = 0;                        ///< s
 
   Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
   double pressure(int node) const { return nodal(4 * node + 3); }

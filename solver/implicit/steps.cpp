@@ -1,4 +1,4 @@
-// Adaptive load steps.
+// Adaptive steps in time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/implicit/steps.hpp>
 
@@ -8,32 +8,32 @@
 namespace palpate::implicit {
 
 double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report) {
-  const double whole = 1.0 / plan.count, smallest = whole / std::pow(2, plan.most_cuts);
+  state.time = plan.times.front();
   report({0, state, {}, 0, 0});
-  double size = whole;
-  int easy = 0;  // sub-steps in a row that Newton found quickly: two of them earn a longer one
-  for (int index = 1; index <= plan.count; ++index) {
-    const double target = index * whole;
+  double part = 1;  // of the time between two reports
+  int easy = 0;     // sub-steps in a row that Newton found quickly: two of them earn a longer one
+  for (int index = 1; index < static_cast<int>(plan.times.size()); ++index) {
+    const double target = plan.times[index], whole = target - plan.times[index - 1];
     int iterations = 0, cuts = 0;
     Found last;
-    while (state.load < target) {
-      const bool to_target = state.load + 1.001 * size >= target;
-      auto found = equilibrium.find(state, to_target ? target : state.load + size);
+    while (state.time < target) {
+      const bool to_target = state.time + 1.001 * part * whole >= target;
+      auto found = equilibrium.find(state, to_target ? target : state.time + part * whole);
       if (found) {
         iterations += found->iterations;
         last = std::move(*found);
         easy = last.iterations <= 10 ? easy + 1 : 0;
-        if (easy >= 2) size = std::min(whole, 2 * size);
+        if (easy >= 2) part = std::min(1.0, 2 * part);
       } else {
-        size = std::min(size, target - state.load) / 2;
+        part = std::min(part, (target - state.time) / whole) / 2;
         ++cuts;
         easy = 0;
-        if (size < smallest) return state.load;
+        if (part < std::pow(2.0, -plan.most_cuts)) return state.time;
       }
     }
     report({index, state, last.equations, iterations, cuts});
   }
-  return state.load;
+  return state.time;
 }
 
 }  // namespace palpate::implicit

@@ -1,27 +1,28 @@
-// From no load to full load in steps that are halved when Newton fails and grow back when it does not.
+// From one time to another in steps that are halved when Newton fails and grow back when it does not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <functional>
+#include <vector>
 
 #include <solver/implicit/equilibrium.hpp>
 
 namespace palpate::implicit {
 
 struct StepPlan {
-  int count = 20;     ///< steps of equal load that are reported
-  int most_cuts = 6;  ///< a step may be halved this often
+  std::vector<double> times;  ///< that are reported, s, ascending; the first one is where the state begins
+  int most_cuts = 6;          ///< a step may be halved this often
 };
 
 /// A reported step.
 struct Step {
-  int index = 0;       ///< 0: rest
+  int index = 0;       ///< of its time; 0: where the state began
   const State& state;
-  const Equations& equations;
+  const Equations& equations;  ///< empty at index 0
   int iterations = 0;  ///< of Newton, all sub-steps together
   int cuts = 0;        ///< sub-steps that failed
 };
 
-/// Calls `report` at rest and at every multiple of 1/count. Returns the load reached: 1, or less when a step could not be made
+/// Calls `report` at every time of the plan. Returns the time reached: the last one, or less when a step could not be made
 /// (equilibrium.trouble() says why).
 double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report);
 

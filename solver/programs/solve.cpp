@@ -1,4 +1,4 @@
-// palpate-solve: presses an organ with a rigid tool.
+// palpate-solve: presses an organ with rigid tools.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/command.hpp>
 #include <solver/results.hpp>
@@ -9,12 +9,12 @@ using namespace palpate;
 
 void usage(Usage& u) {
   u.name = "solve";
-  u.sentence = "Presses an organ of tetrahedra with a rigid tool and writes force, depth and deformed shapes.";
+  u.sentence = "Presses an organ of tetrahedra with rigid tools and writes force, depth and deformed shapes.";
   u.details =
       "Implicit, quasi-static, incompressible or nearly so: the P1+/P1 mini-element, Newton's method with the consistent tangent, load\n"
-      "steps that are halved when they fail. The tool moves along its axis from where it first touches the organ. The case names mesh,\n"
-      "material, base and tool; `palpate list` shows laws and tools with their parameters.";
-  u.input("case", "case.toml", "the case: mesh, [material], [base], [tool], [steps]");
+      "steps that are halved when they fail. Tools move along their axes from where they first touch the organ, after gravity if there is\n"
+      "any; patches of the surface are held, moved, loaded or sprung. `palpate list` shows laws and tools with their parameters.";
+  u.input("case", "case.toml", "the case: mesh, [material], what holds, loads and presses, [steps]");
   u.output("result", "result", "history.csv, frames.pvd with frames/*.vtu for ParaView, summary.json", ArgumentKind::folder);
   u.file("mesh", "the mesh to use instead of the one the case names");
   u.catalogue = [] {
@@ -27,46 +27,66 @@ void usage(Usage& u) {
 
 namespace {
 
-std::string remark(const implicit::Step& step, const contact::Tool& tool) {
+std::string remark(const Case& the_case, const implicit::Step& step) {
   std::ostringstream out;
   out.precision(3);
-  out << "depth " << step.state.load * tool.depth << " mm, force " << step.equations.contact.force.dot(tool.axis) << " N";
+  const Driven d = driven(the_case, step);
+  out << "depth " << d.depth << " mm, force " << d.force << " N";
   return out.str();
 }
 
-/// Full depth was not reached: an error that helps, or a warning when the case asks for what there is.
-void explain_stop(Command& c, const Case& the_case, double load, const implicit::Trouble& trouble) {
+/// The last time was not reached: an error that helps, or a warning when the case asks for what there is.
+void explain_stop(Command& c, const Case& the_case, double time, double depth, const implicit::Trouble& trouble) {
   std::ostringstream what, where;
-  what << "stopped at depth " << load * the_case.model.tool->depth << " mm of " << the_case.model.tool->depth << " mm: " << trouble.cause;
+  what << "stopped at " << time << " s of " << the_case.steps.times.back() << " s, at depth " << depth << " mm: " << trouble.cause;
   where << "near (" << trouble.place_mm.transpose() << ") mm of the organ at rest";
-  if (!the_case.keep_partial || load == 0)
+  if (!the_case.keep_partial || !(time > 0))
     throw Failure(ExitCode::not_converged, what.str(), where.str(), "[steps] keep_partial = true delivers what was reached");
   c.warn(what.str() + "; " + where.str());
+}
+
+/// Gravity first, without tools; then they come to where they touch the organ that has sagged.
+void settle(Case& the_case, implicit::Equilibrium& equilibrium, implicit::State& state, ResultFolder& results) {
+  if (the_case.settling.times.empty()) return;
+  constexpr double away_mm = 1e6;
+  for (auto& tool : the_case.model.tools) tool.first_contact -= away_mm * tool.axis;
+  const double reached = implicit::run_steps(equilibrium, state, the_case.settling, [&](const implicit::Step& step) { results.settled(step); });
+  if (reached < 0) {
+    std::ostringstream where;
+    where << "near (" << equilibrium.trouble().place_mm.transpose() << ") mm of the organ at rest";
+    throw Failure(ExitCode::not_converged, "gravity cannot be carried: " + equilibrium.trouble().cause, where.str(),
+                  "hold more of the organ, or give [gravity] more steps");
+  }
+  const auto surface = surface_points(the_case, &state);
+  for (std::size_t i = 0; i < the_case.model.tools.size(); ++i)
+    if (!contact::find_first_contact(the_case.model.tools[i], the_case.aims_mm[i], surface))
+      throw Failure(ExitCode::misuse, "under gravity the organ has sagged out of the tool's way", "", "aim lower");
 }
 
 }  // namespace
 
 void run(Command& c) {
-  const Case the_case = read_case(c.input("case"), c.has("mesh") ? c.file("mesh") : "");
+  Case the_case = read_case(c.input("case"), c.has("mesh") ? c.file("mesh") : "");
   if (!c.has("mesh")) c.add_input("mesh", the_case.mesh_path);
   c.say(std::to_string(the_case.model.points.size()) + " nodes, " + std::to_string(the_case.model.tets.size()) + " tetrahedra, " +
         std::to_string(the_case.base_nodes) + " nodes held");
   implicit::Equilibrium equilibrium(the_case.model, c.threads());
   implicit::State state = implicit::rest_state(the_case.model);
   ResultFolder results(c.output("result"), the_case, equilibrium.assembly());
-  Progress progress = c.progress("solve", the_case.steps.count);
-  const double load = implicit::run_steps(equilibrium, state, the_case.steps, [&](const implicit::Step& step) {
-    results.add(step, step.index == the_case.steps.count);
-    progress.update(step.index, remark(step, *the_case.model.tool));
+  Progress progress = c.progress("solve", the_case.count);
+  settle(the_case, equilibrium, state, results);
+  const double time = implicit::run_steps(equilibrium, state, the_case.steps, [&](const implicit::Step& step) {
+    results.add(step, step.index == the_case.count);
+    progress.update(step.index, remark(the_case, step));
   });
   progress.finish();
-  if (load < 1) explain_stop(c, the_case, load, equilibrium.trouble());
-  const Json summary = results.finish(load);
+  if (time < the_case.steps.times.back()) explain_stop(c, the_case, time, results.depth(), equilibrium.trouble());
+  const Json summary = results.finish(time);
   c.note("summary", summary);
-  c.check(check_at_most("force balance of tool and base", results.worst_force_imbalance(), 1e-3));
+  c.check(check_at_most("force balance", results.worst_force_imbalance(), 1e-3));
   c.check(check_at_most("penetration of the local element size", results.worst_penetration(), 0.01));
   c.check(check_at_least("smallest J", results.smallest_J(), 1e-6));
   std::ostringstream line;
-  line << "peak force " << summary.at("peak_force_N").get<double>() << " N at depth " << load * the_case.model.tool->depth << " mm";
+  line << "peak force " << summary.at("peak_force_N").get<double>() << " N at depth " << results.depth() << " mm";
   c.print(line.str());
 }

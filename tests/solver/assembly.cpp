@@ -35,7 +35,7 @@ implicit::State deformed(const implicit::Model& model) {
     const auto& x = model.points[i];
     state.nodal.segment<4>(4 * i) << 0.1 * std::sin(x.y()), 0.03 * x.x() * x.z(), -0.02 * x.z() * x.z(), 1e-3 * x.x();
   }
-  state.load = 1;
+  state.time = 1;
   return state;
 }
 
@@ -86,7 +86,7 @@ TEST(Assembly, IsTheSumOfItsElements) {
 
 TEST(Assembly, TheSameBytesForAnyNumberOfThreads) {
   auto model = some_block();
-  model.tool = contact::Tool{tool_named("ball"), {3.0}, -Vector3d::UnitZ(), {0.1, 0.2, 6}, 1.5};
+  model.tools = {contact::Tool{tool_named("ball"), {3.0}, -Vector3d::UnitZ(), {0.1, 0.2, 6}, 1.5, {}}};
   const auto state = deformed(model);
   const auto one = assembled(model, state, 1);
   ASSERT_EQ(one.equations.fault, elements::ElementFault::none);

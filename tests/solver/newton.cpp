@@ -14,7 +14,7 @@ implicit::Model pressed_block(const char* law, std::vector<double> parameters) {
   auto model = brick(uniform(-5, 5, 8), uniform(-5, 5, 8), uniform(0, 6, 6));
   model.materials = {material(law, std::move(parameters))};
   for (int c = 0; c < 3; ++c) hold(model, c, [](const Vector3d& x) { return x.z() < 1e-9; });
-  model.tool = contact::Tool{tool_named("ball"), {3.0}, -Vector3d::UnitZ(), {0.1, 0.2, 6}, 1.5};
+  model.tools = {contact::Tool{tool_named("ball"), {3.0}, -Vector3d::UnitZ(), {0.1, 0.2, 6}, 1.5, {}}};
   return model;
 }
 
@@ -39,7 +39,7 @@ TEST(Newton, ResidualsFallQuadratically) {
 
 TEST(Newton, AFailedStepLeavesTheStateUntouched) {
   auto model = pressed_block("neo_hookean", {0.0067});
-  model.tool->depth = 15;
+  model.tools[0].depth = 15;
   implicit::Equilibrium equilibrium(model, 1);
   implicit::State state = implicit::rest_state(model);
   ASSERT_TRUE(equilibrium.find(state, 0.01));
@@ -61,7 +61,7 @@ TEST(Newton, ThreadsDoNotChangeTheForce) {
       ASSERT_TRUE(step);
       found = std::move(*step);
     }
-    forces.push_back(-found.equations.contact.force.z());
+    forces.push_back(-found.equations.contact.tools[0].force.z());
   }
   EXPECT_GT(forces[0], 0);
   EXPECT_LE(std::abs(forces[0] - forces[1]), 1e-8 * forces[0]);

@@ -40,7 +40,7 @@ std::vector<double> forces(const implicit::Model& model, int steps) {
   for (int i = 1; i <= steps; ++i) {
     const auto found = equilibrium.find(state, double(i) / steps);
     if (!found) throw std::runtime_error(equilibrium.trouble().cause);
-    list.push_back(-4 * found->equations.contact.force.z());
+    list.push_back(-4 * found->equations.contact.tools[0].force.z());
   }
   return list;
 }
@@ -60,7 +60,7 @@ TEST(BondedLayer, ExactForceOfABallIsGarciasFit) {  // Garcia and Garcia 2018, B
 TEST(Indentation, BallOnABondedLayer) {
   const double h = 1, R = 50, deepest = 0.25 * h * h / R;  // χ = 0.5
   auto model = quarter_layer(graded(0.8, 16, 4, 8), graded(0.5, 10, 1, 5));
-  model.tool = contact::Tool{tool_named("ball"), {R}, -Vector3d::UnitZ(), Vector3d::Zero(), deepest};
+  model.tools = {contact::Tool{tool_named("ball"), {R}, -Vector3d::UnitZ(), Vector3d::Zero(), deepest, {}}};
   const int steps = 2;
   const auto measured = forces(model, steps);
   for (int i = 0; i < steps; ++i) {
@@ -76,7 +76,7 @@ TEST(Indentation, FlatPunch) {
   const double a = 1, h = 20, delta = 1e-4, mu = E / 3;
   const auto force = [&](int n) {
     auto model = quarter_layer(graded(a, n, h, n + 2), graded(a, n, h, n + 2));
-    model.tool = contact::Tool{tool_named("flat_punch"), {a, 1e-3}, -Vector3d::UnitZ(), Vector3d::Zero(), delta};
+    model.tools = {contact::Tool{tool_named("flat_punch"), {a, 1e-3}, -Vector3d::UnitZ(), Vector3d::Zero(), delta, {}}};
     return forces(model, 1).back() / (8 * a * mu * delta * punch_on_layer_factor(a / h));
   };
   // Meshes in the ratio 2 : 3 : 4.5; the error falls like some power of the edge length (the pressure is singular at the punch's

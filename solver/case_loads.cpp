@@ -1,0 +1,152 @@
+// Reading what holds, loads and presses: [base], [[displacement]], [[force]], [[spring]], [gravity], [[tool]].
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/case_parts.hpp>
+
+#include <cmath>
+#include <map>
+
+#include <palpate/errors.hpp>
+#include <solver/selection.hpp>
+
+namespace palpate {
+namespace {
+
+using Eigen::Vector3d;
+
+/// path = [[t_s, value], …] with ascending times, divided by its largest value; or a ramp from 0 to `duration`.
+Amplitude read_path(const Settings& settings, double duration, double& largest) {
+  if (!settings.has("path")) return {{{0, 0}, {duration, 1}}};
+  const Json path = settings.value("path");
+  Amplitude amplitude;
+  const auto wrong = [&](const std::string& what) {
+    throw Failure(ExitCode::misuse, what, settings.where("path"), "path = [[0, 0], [2, 6.0], [5, 6.0]]: times in s, ascending, and values");
+  };
+  if (!path.is_array() || path.size() < 2) wrong("a path is a list of at least two points");
+  largest = 0;
+  for (const auto& point : path) {
+    if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number()) wrong("a point of a path is a time and a value");
+    amplitude.points.push_back({point[0].get<double>(), point[1].get<double>()});
+    if (amplitude.points.size() > 1 && !(amplitude.points.back()[0] > amplitude.points[amplitude.points.size() - 2][0])) wrong("times do not ascend");
+    largest = std::max(largest, std::abs(amplitude.points.back()[1]));
+  }
+  if (!(largest > 0)) wrong("a path goes nowhere");
+  for (auto& point : amplitude.points) point[1] /= largest;
+  return amplitude;
+}
+
+/// Rest area of the surface around each node, mm².
+std::map<int, double> nodal_areas(const Case& c) {
+  std::map<int, double> areas;
+  for (const auto& f : c.model.faces) {
+    const auto& x = c.model.points;
+    const double third = (x[f[1]] - x[f[0]]).cross(x[f[2]] - x[f[0]]).norm() / 6;
+    for (int node : f) areas[node] += third;
+  }
+  return areas;
+}
+
+int add_amplitude(implicit::Model& model, Amplitude amplitude) {
+  model.amplitudes.push_back(std::move(amplitude));
+  return static_cast<int>(model.amplitudes.size()) - 1;
+}
+
+void read_base(const Settings& settings, Case& c, std::set<int>& held) {
+  if (settings.has("base")) held = chosen_nodes(settings.table("base"), c.mesh, c.model.points);
+  else if (!settings.has("spring") && !settings.has("displacement"))
+    throw Failure(ExitCode::misuse, "nothing holds the organ", settings.where(), "[base], [[spring]] or [[displacement]]");
+  c.base_nodes = static_cast<int>(held.size());
+  for (int node : held)
+    for (int component = 0; component < 3; ++component) c.model.prescribed.push_back({node, component, 0});
+}
+
+void read_displacements(const Settings& settings, Case& c, std::set<int>& held) {
+  for (const auto& table : settings.tables("displacement")) {
+    Vector3d motion = eigen(table.vec3("motion_mm"));
+    double factor = 1;
+    const int ramp = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
+    motion *= factor;
+    Moved moved{chosen_nodes(table, c.mesh, c.model.points), motion, ramp};
+    for (int node : moved.nodes) {
+      if (!held.insert(node).second)
+        throw Failure(ExitCode::misuse, "a node is moved that is held or moved already, at " + text_mm(c.model.points[node]), table.where());
+      for (int component = 0; component < 3; ++component) c.model.prescribed.push_back({node, component, motion(component), ramp});
+    }
+    c.moved.push_back(std::move(moved));
+  }
+}
+
+/// What is given for a patch of surface is shared among its nodes by their areas.
+void read_forces_and_springs(const Settings& settings, Case& c) {
+  const auto areas = nodal_areas(c);
+  for (const auto& table : settings.tables("force")) {
+    const Vector3d total = eigen(table.vec3("total_N"));
+    double factor = 1, area = 0;
+    const int ramp = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
+    const auto nodes = chosen_nodes(table, c.mesh, c.model.points);
+    for (int node : nodes) area += areas.at(node);
+    for (int node : nodes) c.model.nodal_forces.push_back({node, factor * areas.at(node) / area * total, ramp});
+  }
+  for (const auto& table : settings.tables("spring")) {
+    const double stiffness = table.real("stiffness_N_mm3", {0, 1e6});
+    for (int node : chosen_nodes(table, c.mesh, c.model.points)) c.model.springs.push_back({node, stiffness * areas.at(node)});
+  }
+}
+
+contact::Tool read_tool(const Settings& settings, const Case& c, Vector3d& aim) {
+  contact::Tool tool;
+  tool.shape = named(tools::all(), settings, "kind");
+  tool.parameters = parameters(tool.shape.entry, settings);
+  tool.axis = direction(settings, "axis");
+  const double speed = settings.real("speed_mm_s", 1.0, {1e-6, 1e6});
+  if (!settings.has("path")) tool.depth = settings.real("depth_mm", {1e-6, 1e3});
+  tool.ramp = read_path(settings, tool.depth / speed, tool.depth);
+  aim = eigen(settings.vec3("aim_mm"));
+  if (contact::find_first_contact(tool, aim, surface_points(c, nullptr))) return tool;
+  Eigen::AlignedBox3d box;
+  for (int node : boundary_nodes(c.mesh)) box.extend(c.model.points[node]);
+  throw Failure(ExitCode::misuse, "the tool misses the organ: its line through " + text_mm(aim) + " does not meet it", settings.where("aim_mm"),
+                "aim inside the organ's box, " + text_mm(box.min()) + " to " + text_mm(box.max()));
+}
+
+}  // namespace
+
+std::vector<Vector3d> surface_points(const Case& c, const implicit::State* state) {
+  std::vector<Vector3d> points;
+  const auto place = [&](int node) { return Vector3d(c.model.points[node] + (state ? state->displacement(node) : Vector3d::Zero())); };
+  for (int node : boundary_nodes(c.mesh)) points.push_back(place(node));
+  for (const auto& f : c.mesh.faces) points.push_back((place(f[0]) + place(f[1]) + place(f[2])) / 3);
+  return points;
+}
+
+void read_loads(const Settings& settings, Case& c) {
+  std::set<int> held;
+  read_base(settings, c, held);
+  read_displacements(settings, c, held);
+  read_forces_and_springs(settings, c);
+  if (!settings.has("gravity")) return;
+  const Settings gravity = settings.table("gravity");
+  c.model.gravity = gravity.real("acceleration_m_s2", 9.81, {0, 1e3}) * direction(gravity, "direction");
+  const int steps = static_cast<int>(gravity.integer("steps", 4, {1, 1000}));
+  for (int i = 0; i <= steps; ++i) c.settling.times.push_back(-1 + double(i) / steps);
+  c.settling.times.back() = 0;
+  c.model.body_amplitude = add_amplitude(c.model, {{{-1, 0}, {0, 1}}});
+}
+
+void read_tools(const Settings& settings, Case& c) {
+  for (const auto& table : settings.tables("tool")) {
+    c.aims_mm.emplace_back();
+    c.model.tools.push_back(read_tool(table, c, c.aims_mm.back()));
+  }
+}
+
+double end_of_loads(const implicit::Model& model) {
+  double end = 0;
+  const auto consider = [&](const Amplitude& a) {
+    if (!a.points.empty()) end = std::max(end, a.points.back()[0]);
+  };
+  for (const auto& tool : model.tools) consider(tool.ramp);
+  for (const auto& amplitude : model.amplitudes) consider(amplitude);
+  return end;
+}
+
+}  // namespace palpate
