@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/implicit/equilibrium.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate::implicit {
@@ -63,7 +64,8 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
   for (double v : nodal_volume) volume_scale_ += v * v;
   volume_scale_ = std::sqrt(volume_scale_);
   for (const auto& material : model.materials) shear_modulus = std::max(shear_modulus, material.shear_modulus());
-  force_floor_ = 1e-6 * shear_modulus * std::pow(volume / model.tets.size(), 2.0 / 3);
+  element_size_ = std::cbrt(volume / model.tets.size());
+  force_floor_ = 1e-4 * shear_modulus * element_size_ * element_size_;
 }
 
 double Equilibrium::relative_residual(const Trial& trial) const {
@@ -197,6 +199,24 @@ bool Equilibrium::newton(Trial& trial) {
   return true;
 }
 
+/// A tool that advances by more than an element and has lost the organ it touched, or was about to touch: it is on the other side.
+bool Equilibrium::jumped_through(const State& before, const Trial& after) {
+  const std::size_t points = contact::points_per_face * model_.faces.size();
+  for (std::size_t i = 0; i < model_.tools.size(); ++i) {
+    const auto& tool = model_.tools[i];
+    const double from = tool.travel(before.time), to = tool.travel(after.state.time);
+    const auto touches = [&](const State& state) {
+      const auto first = state.contact_pressures.begin() + i * points;
+      return std::any_of(first, first + points, [](double t) { return t > 0; });
+    };
+    if (to > from + element_size_ && (from == 0 || touches(before)) && !touches(after.state)) {
+      trouble_ = {"the tool advances and touches the organ no more: it jumped through or slipped off; try smaller steps", tool.first_contact};
+      return true;
+    }
+  }
+  return false;
+}
+
 std::optional<Found> Equilibrium::find(State& state, double time) {
   Trial trial;
   trial.state = state;
@@ -216,6 +236,7 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
     trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
     return {};
   }
+  if (jumped_through(state, trial)) return {};
   state = std::move(trial.state);
   at_equilibrium_ = trial.iterations > 0;
   last_found_ = trial.equations;

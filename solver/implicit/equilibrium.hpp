@@ -43,6 +43,7 @@ class Equilibrium {
   bool line_search(Trial& trial, const Eigen::VectorXd& step);
   bool evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length);
   double slope(const Trial& trial, const Eigen::VectorXd& step) const;
+  bool jumped_through(const State& before, const Trial& after);
   bool factor();
   Eigen::VectorXd back_substitute(const Trial& trial);
   double relative_residual(const Trial& trial) const;
@@ -56,7 +57,7 @@ class Equilibrium {
   SparseDirect solver_;
   std::vector<char> fixed_;
   int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
-  double volume_scale_ = 0, force_floor_ = 0;
+  double volume_scale_ = 0, force_floor_ = 0, element_size_ = 0;
   bool at_equilibrium_ = false;  ///< the factor is the tangent's at the last state found
   Equations last_found_;         ///< of that state
   Trouble trouble_;

@@ -1,4 +1,4 @@
-// A case's material: the bulk modulus by kappa or by D1, stiffening by D2 and D3, and what is refused.
+// A case's material (the bulk modulus by kappa or by D1, stiffening by D2 and D3) and its loads, and what is refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -13,7 +13,21 @@ using namespace palpate;
 
 namespace {
 
-class CaseMaterial : public InFolder {
+const std::string base = R"(
+[base]
+plane = { point_mm = [0.0, 0.0, 0.01], normal = [0.0, 0.0, 1.0] }
+)";
+const std::string ball = R"(
+[tool]
+kind = "ball"
+radius_mm = 3.0
+aim_mm = [0.1, 0.2, 5.0]
+axis = [0.0, 0.0, -1.0]
+depth_mm = 1.0
+)";
+const std::string top = "plane = { point_mm = [0.0, 0.0, 4.99], normal = [0.0, 0.0, -1.0] }\n";
+
+class CaseFile : public InFolder {
  protected:
   void SetUp() override {
     InFolder::SetUp();
@@ -28,26 +42,17 @@ class CaseMaterial : public InFolder {
     write_mesh(folder / "mesh.vtu", mesh);
   }
 
-  elements::Material read(const std::string& material) const {
+  Case read_whole(const std::string& material, const std::string& rest) const {
     const auto path = folder / "case.toml";
-    std::ofstream(path) << "schema = \"palpate-case/1\"\n[material]\n"
-                        << material << R"(
-[base]
-plane = { point_mm = [0.0, 0.0, 0.01], normal = [0.0, 0.0, 1.0] }
-[tool]
-kind = "ball"
-radius_mm = 3.0
-aim_mm = [0.1, 0.2, 5.0]
-axis = [0.0, 0.0, -1.0]
-depth_mm = 1.0
-)";
-    return read_case(path, "").model.materials.front();
+    std::ofstream(path) << "schema = \"palpate-case/1\"\n[material]\n" << material << rest;
+    return read_case(path, "");
   }
+  elements::Material read(const std::string& material) const { return read_whole(material, base + ball).model.materials.front(); }
 
   /// What a misuse says; empty when it is accepted.
-  std::string refusal(const std::string& material) const {
+  std::string refusal(const std::string& material, const std::string& rest = base + ball) const {
     try {
-      read(material);
+      read_whole(material, rest);
     } catch (const Failure& failure) {
       EXPECT_EQ(failure.code(), ExitCode::misuse);
       return failure.what();
@@ -66,19 +71,19 @@ bool says(const std::string& text, const std::string& words) { return text.find(
 
 }  // namespace
 
-TEST_F(CaseMaterial, D1IsTwoOverKappa) {
+TEST_F(CaseFile, D1IsTwoOverKappa) {
   EXPECT_DOUBLE_EQ(read(mooney_rivlin + "D1 = 0.25\n").bulk_modulus, read(mooney_rivlin + "kappa = 8.0\n").bulk_modulus);
   EXPECT_DOUBLE_EQ(read(yeoh + "D1 = 0.25\n").bulk_modulus, 8);
   EXPECT_FALSE(std::isfinite(read(mooney_rivlin).bulk_modulus));
 }
 
-TEST_F(CaseMaterial, D2AndD3StiffenTheVolume) {
+TEST_F(CaseFile, D2AndD3StiffenTheVolume) {
   const auto both = read(yeoh + "D1 = 0.25\nD2 = 0.5\nD3 = 4.0\n"), third = read(yeoh + "kappa = 8.0\nD3 = 4.0\n");
   EXPECT_EQ(both.volume_stiffening, (std::array<double, 2>{2, 0.25}));
   EXPECT_EQ(third.volume_stiffening, (std::array<double, 2>{0, 0.25}));
 }
 
-TEST_F(CaseMaterial, WhatDoesNotGoTogetherIsRefused) {
+TEST_F(CaseFile, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_TRUE(says(refusal(mooney_rivlin + "D1 = 0.25\nkappa = 8.0\n"), "given twice"));
   EXPECT_TRUE(says(refusal(yeoh + "D2 = 0.25\n"), "D2 without D1"));
   EXPECT_TRUE(says(refusal(mooney_rivlin + "D1 = 0.25\nD2 = 1.0\n"), "D2"));
@@ -86,4 +91,34 @@ TEST_F(CaseMaterial, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_TRUE(says(refusal(yeoh + "D1 = 0.0\n"), "D1"));
   EXPECT_TRUE(says(refusal(fibres + "side_x = 2\nside_y = 4\nside_z = 0\n"), "plane is not defined"));
   EXPECT_EQ(refusal(fibres + "side_x = 2\nside_y = 3\nside_z = 0\n"), "");
+}
+
+TEST_F(CaseFile, LoadsOfEveryKind) {
+  const Case c = read_whole(yeoh, base + "[gravity]\ndirection = [0, 0, -1]\nsteps = 2\n[[force]]\ntotal_N = [0, 0, 0.3]\npath = [[0, 0], [3, 2]]\n" + top +
+                                      "[[spring]]\nstiffness_N_mm3 = 0.01\n" + top);
+  EXPECT_EQ(c.settling.times, (std::vector<double>{-1, -0.5, 0}));
+  EXPECT_EQ(c.steps.times.back(), 3);
+  double total = 0, stiffness = 0;
+  for (const auto& f : c.model.nodal_forces) total += f.value.z() * c.model.amplitudes[f.amplitude].at(3);
+  for (const auto& s : c.model.springs) stiffness += s.stiffness;
+  EXPECT_NEAR(total, 0.6, 1e-12);
+  EXPECT_NEAR(stiffness, 0.01 * 100, 0.01 * 100);  // the top's rim belongs to the sides too
+  EXPECT_GE(stiffness, 0.01 * 100);
+  EXPECT_NEAR(c.model.gravity.z(), -9.81, 1e-12);
+}
+
+TEST_F(CaseFile, APathPressesAndLifts) {
+  const Case c = read_whole(yeoh, base + "[tool]\nkind = \"ball\"\nradius_mm = 3.0\naim_mm = [0.1, 0.2, 5.0]\naxis = [0, 0, -1]\npath = [[0, 0], [2, 1.5], [4, 0.5]]\n");
+  EXPECT_EQ(c.model.tools[0].travel(1), 0.75);
+  EXPECT_EQ(c.model.tools[0].travel(3), 1.0);
+  EXPECT_EQ(c.steps.times.back(), 4);
+}
+
+TEST_F(CaseFile, LoadsThatAreRefused) {
+  EXPECT_NE(refusal(yeoh, ball).find("nothing holds"), std::string::npos);
+  EXPECT_NE(refusal(yeoh, base).find("nothing moves"), std::string::npos);
+  EXPECT_NE(refusal(yeoh, base + "[[force]]\ntotal_N = [0, 0, 1]\npath = [[0, 0], [0, 1]]\n" + top).find("ascend"), std::string::npos);
+  EXPECT_NE(refusal(yeoh, base + "[[displacement]]\nmotion_mm = [0, 0, 1]\nplane = { point_mm = [0, 0, 9], normal = [0, 0, 1] }\n").find("held or moved"),
+            std::string::npos);
+  EXPECT_NE(refusal("region = \"liver\"\n" + yeoh).find("liver"), std::string::npos);
 }
