@@ -32,6 +32,7 @@ struct Case {
   int base_nodes = 0;
   std::vector<Moved> moved;
   std::vector<Eigen::Vector3d> aims_mm;  ///< of the tools
+  std::vector<std::filesystem::path> tool_files;  ///< of the tools that have one
 };
 
 /// Nodes of the surface and centroids of its faces, at rest or deformed by `state`, mm.

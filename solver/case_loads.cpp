@@ -92,11 +92,18 @@ void read_forces_and_springs(const Settings& settings, Case& c) {
   }
 }
 
-contact::Tool read_tool(const Settings& settings, const Case& c, Vector3d& aim) {
+contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
   contact::Tool tool;
   tool.shape = named(tools::all(), settings, "kind");
+  if (tool.shape.read) {
+    c.tool_files.push_back(settings.file().parent_path() / settings.text("file"));
+    tool.shape.distance = tool.shape.read(c.tool_files.back());
+  }
   tool.parameters = parameters(tool.shape.entry, settings);
   tool.axis = direction(settings, "axis");
+  if (settings.has("across")) tool.across = direction(settings, "across");
+  if (settings.has("across") && !(tool.across.cross(tool.axis).norm() > 1e-3))
+    throw Failure(ExitCode::misuse, "across points along the tool's axis", settings.where("across"), "a direction at right angles to axis");
   const double speed = settings.real("speed_mm_s", 1.0, {1e-6, 1e6});
   if (!settings.has("path")) tool.depth = settings.real("depth_mm", {1e-6, 1e3});
   tool.ramp = read_path(settings, tool.depth / speed, tool.depth);

@@ -34,6 +34,7 @@ Json tool_facts(const contact::Tool& tool, const Vector3d& aim) {
   facts["kind"] = tool.shape.entry.name;
   facts["aim_mm"] = json(aim);
   facts["axis"] = json(tool.axis);
+  facts["across"] = json(tool.frame().col(0));
   facts["first_contact_mm"] = json(tool.first_contact);
   return facts;
 }

@@ -28,17 +28,6 @@ constexpr std::array<QuadraturePoint, points_per_face> quadrature = {{{{1 - 2 * 
 
 double area(const std::array<Vector3d, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
-/// Columns: the tool's frame in the patient's; its z looks back along the axis of motion.
-Eigen::Matrix3d tool_frame(const Vector3d& axis) {
-  const Vector3d z = -axis;
-  const Vector3d helper = std::abs(z.x()) < 0.6 ? Vector3d::UnitX() : Vector3d::UnitY();
-  Eigen::Matrix3d frame;
-  frame.col(0) = helper.cross(z).normalized();
-  frame.col(1) = z.cross(frame.col(0));
-  frame.col(2) = z;
-  return frame;
-}
-
 /// A face farther away than its own reach cannot touch: the distance changes by at most 1 mm per mm.
 bool out_of_reach(const Tool& tool, double travel, const Face& face) {
   const Vector3d centre = (face.now[0] + face.now[1] + face.now[2]) / 3;
@@ -50,11 +39,21 @@ bool out_of_reach(const Tool& tool, double travel, const Face& face) {
 
 }  // namespace
 
+Eigen::Matrix3d Tool::frame() const {
+  const Vector3d z = -axis;
+  const Vector3d helper = std::abs(z.x()) < 0.6 ? Vector3d::UnitX() : Vector3d::UnitY();
+  Eigen::Matrix3d columns;
+  columns.col(0) = across.isZero() ? helper.cross(z).normalized() : (across - across.dot(z) * z).normalized();
+  columns.col(1) = z.cross(columns.col(0));
+  columns.col(2) = z;
+  return columns;
+}
+
 tools::Distance Tool::distance(const Vector3d& x, double travel) const {
-  const Eigen::Matrix3d frame = tool_frame(axis);
-  tools::Distance d = shape.distance(frame.transpose() * (x - first_contact - travel * axis), parameters);
-  d.n = frame * d.n;
-  d.hessian = frame * d.hessian * frame.transpose();
+  const Eigen::Matrix3d R = frame();
+  tools::Distance d = shape.distance(R.transpose() * (x - first_contact - travel * axis), parameters);
+  d.n = R * d.n;
+  d.hessian = R * d.hessian * R.transpose();
   return d;
 }
 

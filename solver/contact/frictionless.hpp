@@ -24,8 +24,12 @@ struct Tool {
   Eigen::Vector3d first_contact;  ///< the tip's place at first contact, mm
   double depth = 0;               ///< mm
   Amplitude ramp;
+  Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the shape's x axis, as far as it is at right angles to `axis`; zero: any
 
   double travel(double time) const { return depth * ramp.at(time); }
+
+  /// Columns: the shape's frame in the patient's; its z looks back along the axis.
+  Eigen::Matrix3d frame() const;
 
   /// Distance at a point of space (mm), gradient and Hessian in the patient's frame.
   tools::Distance distance(const Eigen::Vector3d& x, double travel) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,9 +19,11 @@ struct Distance {
 };
 
 struct Shape {
-  CatalogueEntry entry;  ///< kind "tool"
   /// `x` in the tool's frame; `parameters` in the order of entry.parameters.
-  Distance (*distance)(const Eigen::Vector3d& x, std::span<const double> parameters) = nullptr;
+  using Function = std::function<Distance(const Eigen::Vector3d& x, std::span<const double> parameters)>;
+  CatalogueEntry entry;  ///< kind "tool"
+  Function distance;     ///< empty for a shape that is in a file, until that is read
+  Function (*read)(const std::filesystem::path& file) = nullptr;  ///< for such a shape. Throws Failure(unreadable)
 };
 
 /// Every tool of the folder (generated).

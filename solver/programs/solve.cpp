@@ -68,6 +68,7 @@ void settle(Case& the_case, implicit::Equilibrium& equilibrium, implicit::State&
 void run(Command& c) {
   Case the_case = read_case(c.input("case"), c.has("mesh") ? c.file("mesh") : "");
   if (!c.has("mesh")) c.add_input("mesh", the_case.mesh_path);
+  for (std::size_t i = 0; i < the_case.tool_files.size(); ++i) c.add_input("tool " + std::to_string(i + 1), the_case.tool_files[i]);
   c.say(std::to_string(the_case.model.points.size()) + " nodes, " + std::to_string(the_case.model.tets.size()) + " tetrahedra, " +
         std::to_string(the_case.base_nodes) + " nodes held");
   implicit::Equilibrium equilibrium(the_case.model, c.threads());

@@ -1,4 +1,4 @@
-// A case's material (the bulk modulus by kappa or by D1, stiffening by D2 and D3) and its loads, and what is refused.
+// A case's material (the bulk modulus by kappa or by D1, stiffening by D2 and D3), its loads and its tools, and what is refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 
 #include <palpate/errors.hpp>
 #include <solver/case.hpp>
+#include <tests/verify/block_surface.hpp>
 #include <tests/verify/shapes.hpp>
 #include <tests/words/temporary_folder.hpp>
 
@@ -121,4 +122,41 @@ TEST_F(CaseFile, LoadsThatAreRefused) {
   EXPECT_NE(refusal(yeoh, base + "[[displacement]]\nmotion_mm = [0, 0, 1]\nplane = { point_mm = [0, 0, 9], normal = [0, 0, 1] }\n").find("held or moved"),
             std::string::npos);
   EXPECT_NE(refusal("region = \"liver\"\n" + yeoh).find("liver"), std::string::npos);
+}
+
+TEST_F(CaseFile, AToolIsTurnedByAcross) {
+  const std::string box = R"(
+[tool]
+kind = "box"
+width_mm = 2.0
+length_mm = 20.0
+height_mm = 5.0
+edge_radius_mm = 0.5
+aim_mm = [0.1, 0.2, 5.0]
+axis = [0.0, 0.0, -1.0]
+depth_mm = 1.0
+)";
+  const auto tool = read_whole(neo_hookean, base + box + "across = [0.0, 3.0, 1.0]\n").model.tools.front();
+  EXPECT_LE((tool.frame().col(0) - Eigen::Vector3d::UnitY()).norm(), 1e-15);  // as far as it is at right angles to the axis
+  EXPECT_NEAR(tool.first_contact.z(), 5, 1e-3);
+  EXPECT_TRUE(says(refusal(neo_hookean, base + box + "across = [0.0, 0.0, 2.0]\n"), "across points along"));
+}
+
+TEST_F(CaseFile, AToolFromAFileLiesBesideTheCase) {
+  write_surface(folder / "block.vtp", verify::block_surface({-2, -3, 7}, {2, 3, 9}));
+  const std::string tool = R"(
+[tool]
+kind = "surface"
+edge_radius_mm = 0.5
+aim_mm = [0.1, 0.2, 5.0]
+axis = [0.0, 0.0, -1.0]
+depth_mm = 1.0
+)";
+  const std::string file = "file = \"block.vtp\"\n";
+  const auto the_case = read_whole(neo_hookean, base + tool + file);
+  EXPECT_NEAR(the_case.model.tools.front().first_contact.z(), 5, 1e-3);
+  ASSERT_EQ(the_case.tool_files.size(), 1u);
+  EXPECT_EQ(the_case.tool_files[0], folder / "block.vtp");
+  EXPECT_TRUE(says(refusal(neo_hookean, base + tool), "file"));
+  EXPECT_TRUE(says(refusal(neo_hookean, base + ball + file), "file"));  // a ball has none
 }

@@ -2,31 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/contact/offset_shapes.hpp>
 
-#include <cmath>
+#include <algorithm>
 
 namespace palpate::tools {
 namespace {
 
-/// Beyond the core's rim: the nearest core point lies on the circle of radius c at height r.
-Distance from_rim(const Eigen::Vector3d& x, double rho, double c, double r) {
-  const Eigen::Vector3d e(x.x() / rho, x.y() / rho, 0);
-  const Eigen::Vector3d v = x - (c * e + r * Eigen::Vector3d::UnitZ());
-  Distance d = from_core_point(v, r);
-  const double length = v.norm();
-  if (length > 1e-12) {  // the rim's own curvature around the axis replaces that of a single point
-    const Eigen::Vector3d around(-e.y(), e.x(), 0);
-    d.hessian += around * around.transpose() * (d.n.dot(e) / rho - 1 / length);
-  }
-  return d;
-}
-
 Distance distance(const Eigen::Vector3d& x, std::span<const double> p) {
-  const double a = p[0], r = std::min(p[1], a), c = a - r;
-  const double rho = std::hypot(x.x(), x.y());
-  if (x.z() <= r && rho <= c) return {-x.z(), -Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
-  if (x.z() < r) return from_rim(x, rho, c, r);
-  if (rho < c && x.z() < c - rho + r) return {-x.z(), -Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};  // inside: the end is nearest
-  return from_core_line(x, a);
+  const double a = p[0], r = std::min(p[1], a);
+  return revolved(x, -Eigen::Vector3d::UnitZ(), [&](double rho, double s) { return rounded_corner(s + r, rho - (a - r), r); });
 }
 
 }  // namespace
