@@ -50,25 +50,39 @@ Vec3 vec3_of(const Json& json, const std::string& key, const fs::path& file) {
   damaged(file, "tool." + key + " is not three numbers");
 }
 
-/// The tool at the depth of a frame: its tip at first contact, moved on along the axis.
-std::optional<Tool> tool_at(const Solve& solve, double depth_mm) {
+/// The tool at the depth of a frame: its tip at first contact, moved on along the axis. None when its kind is not drawn.
+std::optional<Tool> tool_at(const Solve& solve, double depth_mm, double organ_mm) {
   const fs::path file = solve.folder / "summary.json";
   if (!solve.summary.contains("tool")) return {};
   const Json& json = solve.summary["tool"];
   if (!json.is_object() || !json.contains("first_contact_mm")) return {};
   Tool tool;
   try {
-    tool.kind = json.at("kind").get<std::string>();
-    tool.radius_mm = json.at("radius_mm").get<double>();
-    tool.edge_radius_mm = json.value("edge_radius_mm", 0.0);
+    if (!shape_tool(json, organ_mm, tool)) return {};
   } catch (const Json::exception& error) {
     damaged(file, std::string("tool: ") + error.what());
   }
   tool.axis = vec3_of(json, "axis", file);
   if (!(norm(tool.axis) > 0) || !(tool.radius_mm > 0)) damaged(file, "tool: the axis or the radius is zero");
   tool.axis = unit(tool.axis);
+  const Vec3 any = std::abs(tool.axis[0]) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 across = json.contains("across") ? vec3_of(json, "across", file) : cross(any, tool.axis);
+  const Vec3 sideways = across - dot(across, tool.axis) * tool.axis;
+  if (!(norm(sideways) > 1e-6)) damaged(file, "tool: across points along the axis");
+  tool.across = unit(sideways);
   tool.tip_mm = vec3_of(json, "first_contact_mm", file) + depth_mm * tool.axis;
   return tool;
+}
+
+/// Of the box around the points, mm.
+double diagonal(const std::vector<Vec3>& points) {
+  Vec3 low = points.front(), high = points.front();
+  for (const Vec3& p : points)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  return norm(high - low);
 }
 
 double depth_at(const History& history, double time_s) {
@@ -110,7 +124,7 @@ LoadedFrame load(const Solve& solve, const Frame& frame) {
   std::sort(sorted.begin(), sorted.end());
   drawing.largest_stress_mpa = sorted.back();
   loaded.stress_scale_mpa = sorted[std::size_t(0.995 * (sorted.size() - 1))];
-  pressed.tool = tool_at(solve, drawing.depth_mm);
+  pressed.tool = tool_at(solve, drawing.depth_mm, diagonal(points));
   return loaded;
 }
 

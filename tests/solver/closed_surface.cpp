@@ -7,6 +7,7 @@
 
 #include <palpate/errors.hpp>
 #include <solver/contact/closed_surface.hpp>
+#include <solver/implicit/steps.hpp>
 #include <tests/verify/block_surface.hpp>
 #include <tests/verify/shapes.hpp>
 #include <tests/words/temporary_folder.hpp>
@@ -94,6 +95,37 @@ TEST_F(SurfaceTool, GrownBlockIsTheBox) {  // a core of 8 × 18 × 4 mm grown by
     EXPECT_LE((d.n - exact.n).norm(), 1e-11);
     EXPECT_LE((d.hessian - exact.hessian).norm(), 1e-10);
   }
+}
+
+TEST_F(SurfaceTool, SphereOfTrianglesPressesLikeABall) {  // 8192 triangles of the sphere of 1.5 mm, grown by 1.5 mm
+  const auto [points, triangles] = sphere(1.5, 5);
+  Surface surface;
+  for (const auto& p : points) surface.points.push_back({p.x(), p.y(), p.z()});
+  surface.triangles = triangles;
+  surface.triangle_region.assign(triangles.size(), 1);
+  write_surface(folder / "sphere.vtp", surface);
+  auto shape = verify::tool_named("surface");
+  shape.distance = shape.read(folder / "sphere.vtp");
+  std::vector<double> forces;
+  for (const auto& [tool, parameters] : {std::pair(shape, std::vector<double>{1.5}), std::pair(verify::tool_named("ball"), std::vector<double>{3})}) {
+    auto model = verify::brick(verify::uniform(-5, 5, 6), verify::uniform(-5, 5, 6), verify::uniform(0, 6, 4));
+    model.materials = {verify::material("neo_hookean", {0.0067})};
+    for (int c = 0; c < 3; ++c) verify::hold(model, c, [](const Vector3d& x) { return x.z() < 1e-9; });
+    model.tools = {contact::Tool{tool, parameters, -Vector3d::UnitZ(), {0.1, 0.2, 6}, 1.5, {}}};
+    implicit::Equilibrium equilibrium(model, 1);
+    implicit::State state = implicit::rest_state(model);
+    int iterations = 0, cuts = 0;
+    const double reached = implicit::run_steps(equilibrium, state, {verify::uniform(0, 1, 6), 6}, [&](const implicit::Step& step) {
+      iterations += step.iterations;
+      cuts += step.cuts;
+      if (step.index == 6) forces.push_back(-step.equations.contact.tools[0].force.z());
+    });
+    std::printf("  %s: %d iterations, %d cuts\n", tool.entry.name.c_str(), iterations, cuts);
+    ASSERT_EQ(reached, 1) << equilibrium.trouble().cause;
+  }
+  std::printf("  force of the triangles %.6f N, of the ball %.6f N\n", forces[0], forces[1]);
+  EXPECT_GT(forces[1], 0);
+  EXPECT_LE(std::abs(forces[0] / forces[1] - 1), 0.01);  // measured −0.2 %
 }
 
 TEST(ClosedSurface, SignAndDistanceOfABodyWithAnInwardCorner) {
