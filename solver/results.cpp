@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include <palpate/text_file.hpp>
@@ -39,23 +40,24 @@ Json tool_facts(const contact::Tool& tool, const Vector3d& aim) {
   return facts;
 }
 
-/// Force on the organ at prescribed displacements: the residual there.
-Vector3d reaction(const implicit::Model& model, const Eigen::VectorXd& residual) {
-  Vector3d sum = Vector3d::Zero();
+/// Forces on the organ at prescribed displacements, the residual there: of what is held, and of each patch that is moved.
+std::map<int, Vector3d> reactions(const implicit::Model& model, const Eigen::VectorXd& residual) {
+  std::map<int, Vector3d> sums;  // by amplitude
   for (const auto& p : model.prescribed)
-    if (p.component < 3) sum(p.component) += residual(4 * p.node + p.component);
-  return sum;
+    if (p.component < 3) sums.try_emplace(p.amplitude, Vector3d::Zero()).first->second(p.component) += residual(4 * p.node + p.component);
+  return sums;
 }
 
 /// What is left when every force on the organ is added up, of the largest of them.
 double imbalance(const implicit::Model& model, const implicit::Assembly& assembly, const implicit::Step& step) {
-  const Vector3d held = reaction(model, step.equations.residual), loads = assembly.loads(step.state);
-  Vector3d sum = held + loads;
-  double largest = std::max(held.norm(), loads.norm());
-  for (const auto& tool : step.equations.contact.tools) {
-    sum += tool.force;
-    largest = std::max(largest, tool.force.norm());
-  }
+  Vector3d sum = assembly.loads(step.state);
+  double largest = sum.norm();
+  const auto add = [&](const Vector3d& force) {
+    sum += force;
+    largest = std::max(largest, force.norm());
+  };
+  for (const auto& [amplitude, force] : reactions(model, step.equations.residual)) add(force);
+  for (const auto& tool : step.equations.contact.tools) add(tool.force);
   return largest > 0 ? sum.norm() / largest : 0;
 }
 
