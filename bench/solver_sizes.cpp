@@ -77,7 +77,7 @@ void print_linear_algebra(const implicit::Model& model, const implicit::BlockMat
   std::vector<int> rows, columns;
   tangent.coordinates(rows, columns);
   auto start = Clock::now();
-  implicit::SparseDirect solver(4 * tangent.nodes(), std::move(rows), std::move(columns), threads);
+  implicit::SparseDirect solver(4 * tangent.nodes(), std::move(rows), std::move(columns), true, threads);
   std::printf(" %9.2f", seconds_since(start));
   std::vector<char> fixed(4 * model.points.size(), 0);
   for (const auto& p : model.prescribed) fixed[4 * p.node + p.component] = 1;

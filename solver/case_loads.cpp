@@ -107,6 +107,8 @@ contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
   const double speed = settings.real("speed_mm_s", 1.0, {1e-6, 1e6});
   if (!settings.has("path")) tool.depth = settings.real("depth_mm", {1e-6, 1e3});
   tool.ramp = read_path(settings, tool.depth / speed, tool.depth);
+  if (settings.flag("sticking", false)) tool.friction = std::numeric_limits<double>::infinity();
+  else tool.friction = settings.real("friction", 0, {0, 10});
   aim = eigen(settings.vec3("aim_mm"));
   if (contact::find_first_contact(tool, aim, surface_points(c, nullptr))) return tool;
   Eigen::AlignedBox3d box;

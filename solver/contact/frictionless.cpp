@@ -28,6 +28,27 @@ constexpr std::array<QuadraturePoint, points_per_face> quadrature = {{{{1 - 2 * 
 
 double area(const std::array<Vector3d, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
+/// Coulomb's friction by a return to the cone, with a little elastic slip: the trial shear v − n (n·v), v = shear − ε Δplace, is scaled back
+/// to μ t where it is larger. (Simo and Laursen 1992, Computers & Structures 42:97, eq. 2.23–2.26; tangent with all of its terms.)
+struct Shear {
+  Vector3d value = Vector3d::Zero();
+  Eigen::Matrix3d by_place = Eigen::Matrix3d::Zero();
+};
+
+Shear shear(const Slip& slip, const Vector3d& place, const tools::Distance& d, double t, double t_stiffness, double friction, double stiffness) {
+  const Vector3d v = slip.shear - stiffness * (place - slip.place);
+  Shear trial;
+  trial.value = v - d.n * d.n.dot(v);
+  trial.by_place = -stiffness * (Eigen::Matrix3d::Identity() - d.n * d.n.transpose()) - d.n.dot(v) * d.hessian - d.n * (d.hessian * v).transpose();
+  const double size = trial.value.norm();
+  if (size <= friction * t) return trial;
+  const Vector3d m = trial.value / size;
+  Shear slipping;
+  slipping.value = friction * t * m;
+  slipping.by_place = friction * (t / size * (trial.by_place - m * (m.transpose() * trial.by_place)) - t_stiffness * m * d.n.transpose());
+  return slipping;
+}
+
 /// A face farther away than its own reach cannot touch: the distance changes by at most 1 mm per mm.
 bool out_of_reach(const Tool& tool, double travel, const Face& face) {
   const Vector3d centre = (face.now[0] + face.now[1] + face.now[2]) / 3;
@@ -77,20 +98,32 @@ FaceContact face_contact(const Tool& tool, double travel, const Face& face, doub
       continue;
     }
     result.touched = true;
-    result.points[q] = {t, stiffness, d.n};
+    result.points[q] = {t, stiffness, d.n, Vector3d::Zero()};
     result.mismatch = std::max(result.mismatch, std::abs(gap - d.g) / deepest);
     const double w = weight * rest_area;
     result.force += w * t * d.n;
     result.area += weight * now_area;
     // Where a trial state is deep inside the tool, the pressure it asks for must not bend the surface: the curvature term stops there.
     const double curving = std::min(t, carried + 2 * softness);
-    const Eigen::Matrix3d k = w * (stiffness * d.n * d.n.transpose() - curving * d.hessian);
+    Eigen::Matrix3d k = w * (stiffness * d.n * d.n.transpose() - curving * d.hessian);
+    if (face.slips) {
+      const Shear s = shear(face.slips[q], x - travel * tool.axis, d, t, stiffness, tool.friction, softness / deepest);
+      result.points[q].shear = s.value;
+      result.force += w * s.value;
+      k -= w * s.by_place;
+      for (int a = 0; a < 3; ++a) result.residual.segment<3>(3 * a) -= w * N[a] * s.value;
+    }
     for (int a = 0; a < 3; ++a) {
       result.residual.segment<3>(3 * a) -= w * t * N[a] * d.n;
       for (int b = 0; b < 3; ++b) result.tangent.block<3, 3>(3 * a, 3 * b) += N[a] * N[b] * k;
     }
   }
   return result;
+}
+
+Vector3d place(const Tool& tool, double travel, const std::array<Vector3d, 3>& corners, int q) {
+  const auto& N = quadrature[q].N;
+  return N[0] * corners[0] + N[1] * corners[1] + N[2] * corners[2] - travel * tool.axis;
 }
 
 double next_pressure(const Point& point, int q, double before, const std::array<Vector3d, 3>& corner_steps, double length) {
@@ -121,9 +154,12 @@ bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vecto
   return false;
 }
 
-CatalogueEntry frictionless_entry() {
-  return {"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, perturbed Lagrangian at six points a face",
-          "Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163", {}};
+std::vector<CatalogueEntry> entries() {
+  return {{"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, perturbed Lagrangian at six points a face",
+           "Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163", {}},
+          {"contact", "coulomb", "shear up to friction times pressure, after a little elastic slip; sticking = true: without bound",
+           "Simo and Laursen 1992, Computers & Structures 42:97, eq. 2.23-2.26",
+           {{"friction", "1", {0, 10}, 0.3, "Coulomb's coefficient, of a tool"}}}};
 }
 
 }  // namespace palpate::contact

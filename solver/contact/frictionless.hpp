@@ -25,6 +25,7 @@ struct Tool {
   double depth = 0;               ///< mm
   Amplitude ramp;
   Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the shape's x axis, as far as it is at right angles to `axis`; zero: any
+  double friction = 0;            ///< Coulomb's coefficient; infinite: what touches sticks
 
   double travel(double time) const { return depth * ramp.at(time); }
 
@@ -35,10 +36,17 @@ struct Tool {
   tools::Distance distance(const Eigen::Vector3d& x, double travel) const;
 };
 
+/// What friction remembers of a point: where it was, seen from the tool, and the shear it carried, when the last step was found.
+struct Slip {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< MPa
+};
+
 /// A face's corners, now and at rest, with the pressures its points carry.
 struct Face {
   std::array<Eigen::Vector3d, 3> rest, now;
   const double* pressures = nullptr;  ///< points_per_face of them, MPa, not negative
+  const Slip* slips = nullptr;        ///< points_per_face of them, for a tool with friction
 };
 
 /// A contact point seen from one Newton step: t and g(t) linearised at the pressure it carries.
@@ -46,6 +54,7 @@ struct Point {
   double pressure = 0;   ///< MPa: what the gap asks for, to first order; 0 when the point is let go
   double stiffness = 0;  ///< −dt/dg, MPa/mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< out of the tool
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();   ///< of the tool on the organ, MPa
 };
 
 /// What a face in contact adds to the equations, and to the tool's reaction.
@@ -66,13 +75,16 @@ FaceContact face_contact(const Tool& tool, double travel, const Face& face, doub
 /// Pressure of point `q` of a face after a part `length` of a Newton step that moves the face's corners by `corner_steps` against the tool.
 double next_pressure(const Point& point, int q, double before, const std::array<Eigen::Vector3d, 3>& corner_steps, double length);
 
+/// Where point `q` of a face is, seen from a tool.
+Eigen::Vector3d place(const Tool& tool, double travel, const std::array<Eigen::Vector3d, 3>& corners, int q);
+
 /// Edge of the equilateral triangle of the same area, mm: the local element size.
 double face_size(const std::array<Eigen::Vector3d, 3>& corners);
 
 /// Moves the tool along its axis through `aim` to where it first touches the points; false when it passes them by.
 bool find_first_contact(Tool& tool, const Eigen::Vector3d& aim, const std::vector<Eigen::Vector3d>& points);
 
-/// Part of `palpate list`.
-CatalogueEntry frictionless_entry();
+/// Parts of `palpate list`.
+std::vector<CatalogueEntry> entries();
 
 }  // namespace palpate::contact

@@ -116,12 +116,11 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
   for (std::size_t f = 0; f < model_.faces.size(); ++f) {
     contact::Face face;
     const auto& nodes = model_.faces[f];
-    for (int a = 0; a < 3; ++a) {
-      face.rest[a] = model_.points[nodes[a]];
-      face.now[a] = face.rest[a] + state.displacement(nodes[a]);
-    }
+    for (int a = 0; a < 3; ++a) face.rest[a] = model_.points[nodes[a]];
+    face.now = corners_now(model_, state, f);
     const std::size_t first = contact::points_per_face * (index * model_.faces.size() + f);
     face.pressures = &state.contact_pressures[first];
+    if (tool.friction > 0) face.slips = &state.slips[first];
     const auto contact = contact::face_contact(tool, tool.travel(state.time), face, softness_[f]);
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
@@ -135,9 +134,11 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
         // Only the place of face and tool against each other counts: ∂r/∂travel = −K_contact · (a rigid motion along the axis).
         own.by_travel.segment<3>(4 * nodes[a]) -= contact.tangent.block<3, 3>(3 * a, 3 * b) * tool.axis;
         if (nodes[b] > nodes[a]) continue;
-        Block block = Block::Zero();
+        Block block = Block::Zero(), other = Block::Zero();
         block.topLeftCorner<3, 3>() = contact.tangent.block<3, 3>(3 * a, 3 * b);
-        tangent.add(nodes[a], nodes[b], block);
+        other.topLeftCorner<3, 3>() = contact.tangent.block<3, 3>(3 * b, 3 * a);
+        if (tangent.symmetric()) tangent.add(nodes[a], nodes[b], block);
+        else tangent.add_both(nodes[a], nodes[b], block, other);
       }
     }
   }

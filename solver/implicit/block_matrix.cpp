@@ -8,7 +8,7 @@
 
 namespace palpate::implicit {
 
-BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets) {
+BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets, bool symmetric) {
   std::vector<std::vector<int>> lower(nodes);
   for (const auto& tet : tets)
     for (int i : tet)
@@ -24,6 +24,7 @@ BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets)
     row_start_.push_back(static_cast<int>(column_.size()));
   }
   blocks_.assign(column_.size(), Block::Zero());
+  if (!symmetric) skew_ = blocks_;
   for (const auto& tet : tets) {
     TetPlaces places{{0, 1, 2, 3}, {}};
     std::sort(places.order.begin(), places.order.end(), [&](int a, int b) { return tet[a] < tet[b]; });
@@ -36,6 +37,7 @@ BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets)
 void BlockMatrix::set_zero(int threads) {
   in_shares(static_cast<int>(blocks_.size()), threads,
             [&](int from, int to) { std::fill(blocks_.begin() + from, blocks_.begin() + to, Block::Zero()); });
+  std::fill(skew_.begin(), skew_.end(), Block::Zero());
 }
 
 /// Of the block of nodes (i, j), j ≤ i.
@@ -47,6 +49,13 @@ int BlockMatrix::place(int i, int j) const {
 void BlockMatrix::add(int i, int j, const Block& block) {
   if (j > i) return add(j, i, block.transpose());
   blocks_[place(i, j)] += block;
+}
+
+void BlockMatrix::add_both(int i, int j, const Block& ij, const Block& ji) {
+  if (j > i) return add_both(j, i, ji, ij);
+  const int at = place(i, j);
+  blocks_[at] += 0.5 * (ij + ji.transpose());
+  skew_[at] += 0.5 * (ij - ji.transpose());
 }
 
 void BlockMatrix::add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix) {
@@ -62,22 +71,30 @@ void BlockMatrix::coordinates(std::vector<int>& rows, std::vector<int>& columns)
     for (int at = row_start_[i]; at < row_start_[i + 1]; ++at)
       for (int a = 0; a < 4; ++a)
         for (int b = 0; b < (column_[at] == i ? a + 1 : 4); ++b) {
-          rows.push_back(4 * i + a + 1);
-          columns.push_back(4 * column_[at] + b + 1);
+          const int row = 4 * i + a + 1, column = 4 * column_[at] + b + 1;
+          rows.push_back(row);
+          columns.push_back(column);
+          if (symmetric() || row == column) continue;
+          rows.push_back(column);
+          columns.push_back(row);
         }
 }
 
 void BlockMatrix::values(const std::vector<char>& fixed, std::vector<double>& out, int threads) const {
-  out.resize(16 * column_.size() - 6 * nodes());  // of a diagonal block, 10 of 16
+  // Of a diagonal block 10 of 16 entries are kept of a symmetric matrix; the others all, and both of a pair of blocks.
+  const std::size_t per_block = symmetric() ? 16 : 32, less_on_diagonal = symmetric() ? 6 : 16;
+  out.resize(per_block * column_.size() - less_on_diagonal * nodes());
   in_shares(nodes(), threads, [&](int from, int to) {
-    double* value = out.data() + 16 * static_cast<std::size_t>(row_start_[from]) - 6 * from;
+    double* value = out.data() + per_block * row_start_[from] - less_on_diagonal * from;
     for (int i = from; i < to; ++i)
       for (int at = row_start_[i]; at < row_start_[i + 1]; ++at)
         for (int a = 0; a < 4; ++a)
           for (int b = 0; b < (column_[at] == i ? a + 1 : 4); ++b) {
             const int row = 4 * i + a, column = 4 * column_[at] + b;
             const bool held = fixed[row] || fixed[column];
-            *value++ = held ? double(row == column) : blocks_[at](a, b);
+            const double skew = symmetric() ? 0 : skew_[at](a, b);
+            *value++ = held ? double(row == column) : blocks_[at](a, b) + skew;
+            if (!symmetric() && row != column) *value++ = held ? 0 : blocks_[at](a, b) - skew;
           }
   });
 }
@@ -89,6 +106,9 @@ Eigen::VectorXd BlockMatrix::multiply(const Eigen::VectorXd& x) const {
       const int j = column_[at];
       y.segment<4>(4 * i) += blocks_[at] * x.segment<4>(4 * j);
       if (j != i) y.segment<4>(4 * j) += blocks_[at].transpose() * x.segment<4>(4 * i);
+      if (symmetric()) continue;
+      y.segment<4>(4 * i) += skew_[at] * x.segment<4>(4 * j);
+      if (j != i) y.segment<4>(4 * j) -= skew_[at].transpose() * x.segment<4>(4 * i);
     }
   return y;
 }

@@ -1,4 +1,5 @@
-// A symmetric sparse matrix of 4 × 4 blocks, one for every pair of nodes that share a tetrahedron; the lower triangle is kept.
+// A sparse matrix of 4 × 4 blocks, one for every pair of nodes that share a tetrahedron: the lower triangle of its symmetric part, and
+// of its skew part where there is friction.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
@@ -11,16 +12,19 @@ using Block = Eigen::Matrix4d;
 
 class BlockMatrix {
  public:
-  BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets);
+  BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets, bool symmetric = true);
 
   void set_zero(int threads = 1);
   /// Adds the block of nodes (i, j); (j, i) is its transpose and is not added separately.
   void add(int i, int j, const Block& block);
+  /// Adds the blocks (i, j) and (j, i); for i = j both are the same one. Only for a matrix that is not symmetric.
+  void add_both(int i, int j, const Block& ij, const Block& ji);
   /// Adds the symmetric matrix of tetrahedron `tet`, node by node; its blocks' places are known beforehand.
   void add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix);
 
   int nodes() const { return static_cast<int>(row_start_.size()) - 1; }
-  /// Lower-triangle entries in coordinate form, one-based, in a fixed order.
+  bool symmetric() const { return skew_.empty(); }
+  /// Entries in coordinate form, one-based, in a fixed order: the lower triangle alone of a symmetric matrix.
   void coordinates(std::vector<int>& rows, std::vector<int>& columns) const;
   /// Their values; rows and columns of `fixed` unknowns become those of the identity.
   void values(const std::vector<char>& fixed, std::vector<double>& out, int threads = 1) const;
@@ -36,7 +40,8 @@ class BlockMatrix {
 
   std::vector<int> row_start_;  ///< of the lower triangle, by node
   std::vector<int> column_;     ///< ascending in each row; the diagonal last
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_;   ///< of the symmetric part
+  std::vector<Block> skew_;     ///< of the skew part; empty for a symmetric matrix
   std::vector<TetPlaces> tet_places_;
 };
 

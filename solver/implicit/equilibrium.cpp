@@ -16,7 +16,7 @@ constexpr double lost = 1e3;
 SparseDirect solver_for(const BlockMatrix& tangent, int threads) {
   std::vector<int> rows, columns;
   tangent.coordinates(rows, columns);
-  return SparseDirect(4 * tangent.nodes(), std::move(rows), std::move(columns), threads);
+  return SparseDirect(4 * tangent.nodes(), std::move(rows), std::move(columns), tangent.symmetric(), threads);
 }
 
 const char* words(elements::ElementFault fault) {
@@ -47,7 +47,7 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
     : model_(model),
       limits_(limits),
       assembly_(model, threads),
-      tangent_(static_cast<int>(model.points.size()), model.tets),
+      tangent_(static_cast<int>(model.points.size()), model.tets, !has_friction(model)),
       solver_(solver_for(tangent_, threads)),
       fixed_(4 * model.points.size(), 0) {
   for (const auto& p : model.prescribed) fixed_[4 * p.node + p.component] = 1;
@@ -232,7 +232,7 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
     return {};
   }
   if (!newton(trial)) return {};
-  if (trial.iterations > 0 && solver_.negative_pivots() != free_pressures_) {
+  if (trial.iterations > 0 && tangent_.symmetric() && solver_.negative_pivots() != free_pressures_) {
     trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
     return {};
   }
@@ -240,6 +240,7 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
   state = std::move(trial.state);
   at_equilibrium_ = trial.iterations > 0;
   last_found_ = trial.equations;
+  if (has_friction(model_)) remember_slips(model_, trial.equations.contact.points, state);
   return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
 }
 

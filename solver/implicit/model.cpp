@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/implicit/model.hpp>
 
+#include <algorithm>
+
 namespace palpate::implicit {
 
 State rest_state(const Model& model) {
@@ -9,7 +11,29 @@ State rest_state(const Model& model) {
   state.nodal = Eigen::VectorXd::Zero(4 * model.points.size());
   state.bubbles.assign(model.tets.size(), Eigen::Vector3d::Zero());
   state.contact_pressures.assign(contact::points_per_face * model.faces.size() * model.tools.size(), 0.0);
+  if (has_friction(model)) remember_slips(model, {}, state);
   return state;
+}
+
+bool has_friction(const Model& model) {
+  return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.friction > 0; });
+}
+
+std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face) {
+  std::array<Eigen::Vector3d, 3> corners;
+  for (int a = 0; a < 3; ++a) corners[a] = model.points[model.faces[face][a]] + state.displacement(model.faces[face][a]);
+  return corners;
+}
+
+void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state) {
+  state.slips.resize(state.contact_pressures.size());
+  std::size_t at = 0;
+  for (const auto& tool : model.tools)
+    for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) {
+      const auto corners = corners_now(model, state, f);
+      for (int q = 0; q < contact::points_per_face; ++q, ++at)
+        state.slips[at] = {contact::place(tool, tool.travel(state.time), corners, q), at < points.size() ? points[at].shear : Eigen::Vector3d::Zero()};
+    }
 }
 
 elements::ElementState element_state(const Model& model, const State& state, int tet) {

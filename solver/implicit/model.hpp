@@ -53,13 +53,22 @@ struct State {
   Eigen::VectorXd nodal;
   std::vector<Eigen::Vector3d> bubbles;
   std::vector<double> contact_pressures;  ///< MPa; tool by tool, face by face, point by point
+  std::vector<contact::Slip> slips;        ///< in the same order; none without friction
   double time = 0;                        ///< s
 
   Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
   double pressure(int node) const { return nodal(4 * node + 3); }
 };
 
+bool has_friction(const Model& model);
+
 State rest_state(const Model& model);
+
+/// A face's corners in the deformed organ, mm.
+std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face);
+
+/// What friction is to remember of a state that was found with these contact points; none at rest.
+void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state);
 
 /// Local unknowns of a tetrahedron.
 elements::ElementState element_state(const Model& model, const State& state, int tet);

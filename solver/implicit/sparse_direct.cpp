@@ -36,7 +36,7 @@ struct SparseDirect::Mumps {
   }
 };
 
-SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, int threads)
+SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, bool symmetric, int threads)
     : mumps_(std::make_unique<Mumps>()) {
   openblas_set_num_threads(unknowns < threaded_from ? 1 : threads);
   Mumps& m = *mumps_;
@@ -44,7 +44,7 @@ SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int>
   m.columns = std::move(columns);
   m.values.assign(m.rows.size(), 0.0);
   m.id.par = 1;
-  m.id.sym = 2;                  // general symmetric
+  m.id.sym = symmetric ? 2 : 0;
   m.id.comm_fortran = -987654;   // MPI_COMM_WORLD of the sequential library
   m.call(-1);
   for (int stream : {1, 2, 3, 4}) m.icntl(stream) = stream == 4 ? 0 : -1;  // silent

@@ -1,4 +1,4 @@
-// Sparse symmetric indefinite factorisation L D Lᵀ by MUMPS, with its inertia.
+// Sparse factorisation by MUMPS: symmetric indefinite, L D Lᵀ, with its inertia; or general, L U.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
@@ -9,14 +9,14 @@ namespace palpate::implicit {
 
 class SparseDirect {
  public:
-  /// Analyses the pattern: lower triangle, one-based. The ordering is METIS: MUMPS' own choice differs between runs.
-  SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, int threads);
+  /// Analyses the pattern, one-based; of a symmetric matrix the lower triangle. The ordering is METIS: MUMPS' own choice differs between runs.
+  SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, bool symmetric, int threads);
   ~SparseDirect();
   SparseDirect(SparseDirect&&) noexcept;
 
   /// Numeric factorisation. False when the matrix is singular to working precision. Throws std::bad_alloc without memory.
   bool factor(const std::vector<double>& values);
-  /// Negative eigenvalues of the last factored matrix (Sylvester).
+  /// Negative eigenvalues of the last factored matrix, if symmetric (Sylvester).
   int negative_pivots() const;
   /// Solves in place.
   void solve(Eigen::VectorXd& right_hand_side);

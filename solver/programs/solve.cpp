@@ -18,7 +18,8 @@ void usage(Usage& u) {
   u.output("result", "result", "history.csv, frames.pvd with frames/*.vtu for ParaView, summary.json", ArgumentKind::folder);
   u.file("mesh", "the mesh to use instead of the one the case names");
   u.catalogue = [] {
-    std::vector<CatalogueEntry> entries = {elements::mini_tetrahedron_entry(), contact::frictionless_entry()};
+    std::vector<CatalogueEntry> entries = contact::entries();
+    entries.insert(entries.begin(), elements::mini_tetrahedron_entry());
     for (const auto& law : materials::all()) entries.push_back(law.entry);
     for (const auto& tool : tools::all()) entries.push_back(tool.entry);
     return entries;
