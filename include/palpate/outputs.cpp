@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <fstream>
 
 #include <palpate/card.hpp>
 #include <palpate/errors.hpp>
@@ -34,7 +35,15 @@ int writer_of(const std::string& file, const std::string& name) {
   return error == std::errc{} && std::string(end) == "-" + name ? pid : 0;
 }
 
-bool is_alive(int pid) { return kill(pid, 0) == 0 || errno != ESRCH; }
+/// A process that has ended but is not yet buried by its parent writes no more: state Z in /proc/<pid>/stat, after the name in brackets.
+bool is_alive(int pid) {
+  if (kill(pid, 0) != 0 && errno == ESRCH) return false;
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string line;
+  if (!std::getline(file, line)) return true;
+  const auto bracket = line.rfind(") ");
+  return bracket == std::string::npos || bracket + 2 >= line.size() || (line[bracket + 2] != 'Z' && line[bracket + 2] != 'X');
+}
 
 void flush_to_disk(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY);

@@ -84,6 +84,18 @@ TEST_F(Outputs, LeftoversOfTheDeadGoAndWorkOfTheLivingStays) {
   EXPECT_TRUE(fs::exists(folder / (alive + "a.txt")));
 }
 
+TEST_F(Outputs, AProcessThatEndedButIsNotBuriedIsDead) {  // as in a container whose first process buries nobody
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  siginfo_t ended;
+  ASSERT_EQ(waitid(P_PID, child, &ended, WEXITED | WNOWAIT), 0);
+  const auto leftover = folder / (".partial-" + std::to_string(child) + "-a.txt");
+  write_text(leftover, "x");
+  remove_leftovers(folder / "a.txt");
+  EXPECT_FALSE(fs::exists(leftover));
+  waitpid(child, nullptr, 0);
+}
+
 TEST_F(Outputs, ALeftoverUnderOurOwnNumberDoesNotMixWithNewWork) {
   const fs::path own = folder / (".partial-" + std::to_string(getpid()) + "-f");
   fs::create_directory(own);
