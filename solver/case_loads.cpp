@@ -26,6 +26,8 @@ Amplitude read_path(const Settings& settings, double duration, double& largest) 
   for (const auto& point : path) {
     if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number()) wrong("a point of a path is a time and a value");
     amplitude.points.push_back({point[0].get<double>(), point[1].get<double>()});
+    if (!std::isfinite(amplitude.points.back()[0]) || !std::isfinite(amplitude.points.back()[1])) wrong("a path holds a number that is not finite");
+    if (amplitude.points.front()[0] < 0) wrong("a path begins before t = 0");
     if (amplitude.points.size() > 1 && !(amplitude.points.back()[0] > amplitude.points[amplitude.points.size() - 2][0])) wrong("times do not ascend");
     largest = std::max(largest, std::abs(amplitude.points.back()[1]));
   }

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include <solver/contact/frictionless.hpp>
+#include <solver/contact/tool_contact.hpp>
 #include <solver/elements/mini_tetrahedron.hpp>
 
 namespace palpate::implicit {

@@ -33,14 +33,7 @@ class CaseFile : public InFolder {
   void SetUp() override {
     InFolder::SetUp();
     const auto model = verify::brick(verify::uniform(-5, 5, 2), verify::uniform(-5, 5, 2), verify::uniform(0, 5, 2));
-    TetMesh mesh;
-    for (const auto& p : model.points) mesh.points.push_back({p.x(), p.y(), p.z()});
-    mesh.tets = model.tets;
-    mesh.tet_region.assign(mesh.tets.size(), 1);
-    mesh.faces = model.faces;
-    mesh.face_region.assign(mesh.faces.size(), 1);
-    mesh.region_names = {{1, "block"}};
-    write_mesh(folder / "mesh.vtu", mesh);
+    write_mesh(folder / "mesh.vtu", verify::mesh_of(model));
   }
 
   Case read_whole(const std::string& material, const std::string& rest) const {
@@ -119,6 +112,9 @@ TEST_F(CaseFile, LoadsThatAreRefused) {
   EXPECT_NE(refusal(yeoh, ball).find("nothing holds"), std::string::npos);
   EXPECT_NE(refusal(yeoh, base).find("nothing moves"), std::string::npos);
   EXPECT_NE(refusal(yeoh, base + "[[force]]\ntotal_N = [0, 0, 1]\npath = [[0, 0], [0, 1]]\n" + top).find("ascend"), std::string::npos);
+  for (const char* path : {"[[0, 0], [1, nan]]", "[[0, 0], [1, 2], [2, inf]]", "[[nan, 0], [1, 1]]"})
+    EXPECT_NE(refusal(yeoh, base + "[[force]]\ntotal_N = [0, 0, 1]\npath = " + path + "\n" + top).find("not finite"), std::string::npos) << path;
+  EXPECT_NE(refusal(yeoh, base + "[[force]]\ntotal_N = [0, 0, 1]\npath = [[-1, 0], [1, 1]]\n" + top).find("before t = 0"), std::string::npos);
   EXPECT_NE(refusal(yeoh, base + "[[displacement]]\nmotion_mm = [0, 0, 1]\nplane = { point_mm = [0, 0, 9], normal = [0, 0, 1] }\n").find("held or moved"),
             std::string::npos);
   EXPECT_NE(refusal("region = \"liver\"\n" + yeoh).find("liver"), std::string::npos);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <solver/contact/frictionless.hpp>
+#include <solver/contact/tool_contact.hpp>
 #include <tests/verify/shapes.hpp>
 
 using namespace palpate;

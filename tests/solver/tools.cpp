@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <solver/contact/frictionless.hpp>
+#include <solver/contact/tool_contact.hpp>
 #include <tests/verify/shapes.hpp>
 
 using namespace palpate;

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include <palpate/mesh_files.hpp>
 #include <solver/implicit/model.hpp>
 
 namespace palpate::verify {
@@ -65,6 +66,18 @@ inline implicit::Model brick(const std::vector<double>& x, const std::vector<dou
   model.faces = boundary(model);
   model.tet_material.assign(model.tets.size(), 0);
   return model;
+}
+
+/// As a file's mesh of one region, "block".
+inline TetMesh mesh_of(const implicit::Model& model) {
+  TetMesh mesh;
+  for (const auto& p : model.points) mesh.points.push_back({p.x(), p.y(), p.z()});
+  mesh.tets = model.tets;
+  mesh.tet_region.assign(mesh.tets.size(), 1);
+  mesh.faces = model.faces;
+  mesh.face_region.assign(mesh.faces.size(), 1);
+  mesh.region_names = {{1, "block"}};
+  return mesh;
 }
 
 inline std::vector<double> uniform(double from, double to, int cells) {

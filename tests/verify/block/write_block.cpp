@@ -5,7 +5,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdlib>
 
-#include <palpate/mesh_files.hpp>
 #include <tests/verify/shapes.hpp>
 
 using namespace palpate;
@@ -33,13 +32,5 @@ int main(int, char** argv) {
   const auto depth = verify::graded(edge, 1, 20, std::atoi(argv[5]) - 1);
   std::vector<double> z;
   for (auto d = depth.rbegin(); d != depth.rend(); ++d) z.push_back(20 - *d);
-  const auto model = verify::brick(xy, xy, z);
-  TetMesh mesh;
-  for (const auto& p : model.points) mesh.points.push_back({p.x(), p.y(), p.z()});
-  mesh.tets = model.tets;
-  mesh.tet_region.assign(mesh.tets.size(), 1);
-  mesh.faces = model.faces;
-  mesh.face_region.assign(mesh.faces.size(), 1);
-  mesh.region_names = {{1, "block"}};
-  write_mesh(argv[1], mesh);
+  write_mesh(argv[1], verify::mesh_of(verify::brick(xy, xy, z)));
 }

@@ -1,6 +1,6 @@
-// Frictionless contact at six points a face (Dunavant 1985, degree 4): t condensed from K Δu − n Δt = −r, n·Δu + g = g(t) + g′(t) Δt.
+// Contact at six points a face (Dunavant 1985, degree 4): t condensed from K Δu − n Δt = −r, n·Δu + g = g(t) + g′(t) Δt.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <solver/contact/frictionless.hpp>
+#include <solver/contact/tool_contact.hpp>
 
 #include <algorithm>
 #include <cmath>

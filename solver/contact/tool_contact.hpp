@@ -1,6 +1,6 @@
-// Frictionless contact of the organ's faces with a rigid tool, at quadrature points, by a perturbed Lagrangian: the pressure t is an
+// Contact of the organ's faces with a rigid tool, at quadrature points, by a perturbed Lagrangian: the pressure t is an
 // unknown of its own, condensed at its point, and the gap it leaves is g(t) = −w t/(A + t): never deeper than w, at any pressure.
-// (Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163, eq. 3.4, with this g(t) for their −t/ε; decision 021.)
+// (Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163, eq. 3.4, with this g(t) for their −t/ε; decision 021.) Friction: decision 024.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
