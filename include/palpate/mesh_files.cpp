@@ -277,6 +277,45 @@ void write_mesh(const std::filesystem::path& path, const TetMesh& mesh, const st
   write_vtk<vtkXMLUnstructuredGridWriter>(path, *data);
 }
 
+ShellMesh read_shells(const std::filesystem::path& path) {
+  const auto reader = open_reader<vtkXMLUnstructuredGridReader>(path, ".vtu");
+  vtkUnstructuredGrid& data = *reader->GetOutput();
+  expect_conventions(data, path);
+  ShellMesh mesh;
+  mesh.points = points_of(data, path);
+  mesh.triangle_region = cell_regions(data);
+  for (vtkIdType cell = 0; cell < data.GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    data.GetCellPoints(cell, count, ids);
+    if (data.GetCellType(cell) != VTK_TRIANGLE)
+      unreadable(path, "cell " + std::to_string(cell) + " is not a triangle", "palpate-mesh --kind shell writes thin walls");
+    mesh.triangles.push_back(corners<3>(ids, mesh.points.size(), cell, path));
+  }
+  if (mesh.triangles.empty()) unreadable(path, "no triangles");
+  auto* thickness = data.GetPointData()->GetArray("thickness");
+  if (!thickness) unreadable(path, "the points have no thickness", "palpate-mesh --kind shell writes thin walls");
+  auto* end = data.GetPointData()->GetArray("end");
+  auto* direction = data.GetPointData()->GetArray("end_direction");
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    mesh.thickness_mm.push_back(thickness->GetTuple1(i));
+    mesh.end.push_back(end ? static_cast<int>(end->GetTuple1(i)) : 0);
+    mesh.end_direction.push_back(direction ? Vec3{direction->GetComponent(i, 0), direction->GetComponent(i, 1), direction->GetComponent(i, 2)} : Vec3{});
+    if (!(mesh.thickness_mm.back() > 0)) unreadable(path, "point " + std::to_string(i) + " has no positive thickness");
+  }
+  mesh.region_names = region_names_of(data);
+  return mesh;
+}
+
+void write_shells(const std::filesystem::path& path, const ShellMesh& mesh, const std::vector<Field>& point_fields,
+                  const std::vector<Field>& triangle_fields) {
+  TetMesh plain{mesh.points, {}, {}, mesh.triangles, mesh.triangle_region, mesh.region_names};
+  std::vector<Field> on_points{{"thickness", 1, mesh.thickness_mm}, {"end", 1, {mesh.end.begin(), mesh.end.end()}}, {"end_direction", 3, {}}};
+  for (const Vec3& d : mesh.end_direction) on_points.back().values.insert(on_points.back().values.end(), d.begin(), d.end());
+  on_points.insert(on_points.end(), point_fields.begin(), point_fields.end());
+  write_mesh(path, plain, on_points, triangle_fields);
+}
+
 MeshFields read_mesh_fields(const std::filesystem::path& path) {
   const auto reader = open_reader<vtkXMLUnstructuredGridReader>(path, ".vtu");
   vtkUnstructuredGrid& data = *reader->GetOutput();

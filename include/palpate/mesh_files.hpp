@@ -1,4 +1,4 @@
-// Surfaces (.vtp) and volume meshes (.vtu) with region per cell, SPACE=LPS and UNITS=mm as field data.
+// Surfaces (.vtp), volume meshes and thin walls (.vtu) with region per cell, SPACE=LPS and UNITS=mm as field data.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
@@ -31,6 +31,17 @@ struct TetMesh {
   RegionNames region_names;
 };
 
+/// A thin wall: triangles of its mid-surface (counter-clockwise seen from outside) with a thickness at every point.
+struct ShellMesh {
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> triangle_region;
+  std::vector<double> thickness_mm;   ///< one per point
+  std::vector<int> end;               ///< one per point: 1, 2, … on the rim of an end of the tube, 0 elsewhere
+  std::vector<Vec3> end_direction;    ///< one per point: along the local centre line, out of the tube; zero away from the ends
+  RegionNames region_names;
+};
+
 /// A result on the points of a mesh or on its tetrahedra: `components` numbers each, in order.
 struct Field {
   std::string name;
@@ -46,6 +57,11 @@ void write_surface(const std::filesystem::path& path, const Surface& surface, co
 TetMesh read_mesh(const std::filesystem::path& path);
 void write_mesh(const std::filesystem::path& path, const TetMesh& mesh, const std::vector<Field>& point_fields = {},
                 const std::vector<Field>& tet_fields = {});
+
+/// Throws Failure(unreadable) as read_mesh does, and for cells other than triangles or points without a thickness.
+ShellMesh read_shells(const std::filesystem::path& path);
+void write_shells(const std::filesystem::path& path, const ShellMesh& mesh, const std::vector<Field>& point_fields = {},
+                  const std::vector<Field>& triangle_fields = {});
 
 /// The fields on the points and on the tetrahedra of a .vtu (a solver's frame).
 struct MeshFields {

@@ -1,4 +1,4 @@
-// The one file that speaks to gmsh (Geuzaine & Remacle 2009): discrete surfaces, Delaunay tetrahedra, its own optimisation.
+// Filling by gmsh (Geuzaine & Remacle 2009): discrete surfaces, Delaunay tetrahedra, its own optimisation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pipeline/mesh/fill.hpp>
 
@@ -8,40 +8,10 @@
 #include <unordered_map>
 
 #include <palpate/errors.hpp>
+#include <pipeline/mesh/gmsh_session.hpp>
 
 namespace palpate {
 namespace {
-
-/// gmsh between initialize and finalize, silent and repeatable.
-class Session {
- public:
-  Session() {
-    gmsh::initialize(0, nullptr, false);
-    for (const char* off : {"General.Terminal", "General.AbortOnError", "Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeFromPoints",
-                            "Mesh.MeshSizeFromCurvature", "Mesh.Renumber"})
-      gmsh::option::setNumber(off, 0);
-    for (const char* one : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D", "Mesh.MaxNumThreads3D", "Mesh.Algorithm3D"})
-      gmsh::option::setNumber(one, 1);
-    gmsh::option::setNumber("Mesh.RandomFactor3D", 1e-12);
-    gmsh::option::setNumber("Mesh.RandomSeed", 1);
-    gmsh::logger::start();
-    gmsh::model::add("palpate");
-  }
-  ~Session() {
-    gmsh::logger::stop();
-    gmsh::finalize();
-  }
-  Session(const Session&) = delete;
-
-  /// Log lines of a level: "Error", "Warning".
-  std::vector<std::string> lines(const std::string& level) const {
-    std::vector<std::string> log, chosen;
-    gmsh::logger::get(log);
-    for (const auto& line : log)
-      if (line.starts_with(level)) chosen.push_back(line.substr(line.find(':') + 2));
-    return chosen;
-  }
-};
 
 void add_surface(const Surface& surface, const std::vector<Shell>& shells) {
   std::vector<bool> placed(surface.points.size(), false);
@@ -129,7 +99,7 @@ std::string place_in(const std::string& words) {
 }  // namespace
 
 Filling fill(const Surface& surface, const std::vector<Shell>& shells, const std::vector<Body>& bodies, const SizeField& sizes) {
-  const Session session;
+  const GmshSession session;
   try {
     add_surface(surface, shells);
     add_bodies(shells, bodies);

@@ -1,5 +1,7 @@
-// palpate-mesh: tetrahedra filling a closed surface, fine where a tool will touch.
+// palpate-mesh: tetrahedra filling a closed surface, or triangles of a thin wall, fine where a tool will touch.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
 #include <palpate/command.hpp>
 #include <palpate/mesh_files.hpp>
 #include <pipeline/mesh/adapt_surface.hpp>
@@ -7,20 +9,26 @@
 #include <pipeline/mesh/components.hpp>
 #include <pipeline/mesh/fill.hpp>
 #include <pipeline/mesh/improve.hpp>
+#include <pipeline/mesh/improve_shell.hpp>
+#include <pipeline/mesh/open_tube.hpp>
 #include <pipeline/mesh/quality.hpp>
+#include <pipeline/mesh/shell_mesh.hpp>
+#include <pipeline/mesh/shell_quality.hpp>
 #include <pipeline/mesh/size_field.hpp>
 
 using namespace palpate;
 
 void usage(Usage& u) {
   u.name = "mesh";
-  u.sentence = "Fills closed surfaces with tetrahedra, fine near the tool and coarse elsewhere.";
+  u.sentence = "Fills closed surfaces with tetrahedra, or makes a thin wall of triangles of a tube, fine near the tool and coarse elsewhere.";
   u.details =
       "Without --edge and --focus the surface's triangles stay as they are. Otherwise they are split, collapsed, flipped and smoothed along the "
       "surface to the wanted edge lengths first (Botsch & Kobbelt 2004). gmsh fills the surface (Delaunay), then the worst tetrahedra are "
       "improved by smoothing, edge removal, swaps, contraction and splits (Freitag & Ollivier-Gooch 1997). The tetrahedra of each closed surface carry its region. A surface inside another that faces inward is a cavity; one of another region "
       "that faces outward is a body of its own inside the other. The boundary's triangles are stored as 2-D cells with regions "
-      "\"<name>_surface\". Every check is made on the written file.";
+      "\"<name>_surface\". Every check is made on the written file.\n"
+      "--kind shell: the surface is a tube; regions \"end…\" are taken off, it is moved by --offset to the wall's mid-surface, cut at right angles to\n"
+      "its centre line and meshed anew by gmsh. Sizes follow the distance along the centre line from the focus. Limits of the colon paper.";
   u.input("surface", "surface.vtp", "closed surfaces, triangles facing outward, region per triangle (palpate-surface)");
   u.output("mesh", "mesh.vtu", "tetrahedra with region, and the boundary's triangles with region names");
   u.real("edge", {}, "mm", {1e-3, 1e3}, "edge length away from the focus; default: the surface's own mean edge, and its triangles are kept");
@@ -29,6 +37,11 @@ void usage(Usage& u) {
   u.real("focus-radius", {}, "mm", {0, 1e4}, "radius around a focus with the fine edge length; default: four fine edges");
   u.real("grading", {}, "mm", {0, 1e4}, "distance beyond the radius over which edges grow to their length elsewhere; default: four edges");
   u.real("min-dihedral", 8, "deg", {0, 60}, "smallest dihedral angle of a tetrahedron that is accepted");
+  u.choice("kind", "solid", {"solid", "shell"}, "tetrahedra that fill the surface, or triangles of a thin wall");
+  u.real("thickness", 1, "mm", {1e-3, 100}, "of the wall (shell)");
+  u.real("offset", 0, "mm", {-100, 100}, "from the surface to the wall's mid-surface, outward: half the thickness for a lumen (shell)");
+  u.real("cut-from", {}, "mm", {0, 1e5}, "where the tube begins, along its centre line; default: at its own end (shell)");
+  u.real("cut-to", {}, "mm", {0, 1e5}, "where it ends; default: at its own end (shell)");
   u.integer("max-tets", 20000000, {1, 1000000000}, "refuse, before meshing, when more tetrahedra than this are to be expected");
 }
 
@@ -66,9 +79,64 @@ void check_file(Command& c, const TetMesh& mesh, double surface_volume) {
   c.note("quality", to_json(quality));
 }
 
+/// 4 mm away from the clamp keep every edge under the paper's 5.66 mm, its diagonal; 2 mm near it.
+std::function<double(const Vec3&)> shell_sizes(const Command& c, const CentreLine& line) {
+  SizeField sizes;
+  sizes.edge = c.has("edge") ? c.real("edge") : 4;
+  sizes.focus_edge = c.has("focus-edge") ? c.real("focus-edge") : sizes.edge / 2;
+  sizes.focus_radius = c.has("focus-radius") ? c.real("focus-radius") : 4 * sizes.focus_edge;
+  sizes.grading = c.has("grading") ? c.real("grading") : 4 * sizes.edge;
+  std::vector<double> focus;
+  for (const Vec3& x : c.points("focus")) focus.push_back(line.project(x));
+  return [=](const Vec3& x) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const double s = line.project(x);
+    for (double f : focus) nearest = std::min(nearest, std::abs(s - f));
+    return sizes.at_distance(nearest);
+  };
+}
+
+void check_shell(Command& c, const ShellMesh& mesh, double area) {
+  const ShellQuality quality = shell_quality(mesh);
+  c.check(check_at_most("longest edge", quality.worst.longest_edge, c.has("edge") ? std::sqrt(2) * c.real("edge") : 5.66, "mm"));
+  c.check(check_at_most("skew", quality.worst.skew_deg, 77, "deg"));
+  c.check(check_at_most("equiangular skew", quality.worst.equiangular_skew, 0.6));
+  c.check(check_at_least("Jacobian", quality.worst.jacobian, 1));
+  c.check(check_at_most("area against the surface's", 100 * std::abs(quality.area_mm2 / area - 1), 1, "%"));
+  c.check(check_equal("rims", rims(mesh.triangles).size(), 2));
+  c.note("nodes", mesh.points.size());
+  c.note("triangles", mesh.triangles.size());
+  c.note("surface_area_mm2", area);
+  c.note("quality", to_json(mesh, quality));
+}
+
+void mesh_shell(Command& c) {
+  const Surface tube = without_ends(without_unused_points(read_surface(c.input("surface"))));
+  const CentreLine line = centre_line(tube, std::max(1.0, mean_edge(tube)));
+  const double from = c.has("cut-from") ? c.real("cut-from") : 0, to = c.has("cut-to") ? c.real("cut-to") : line.length();
+  if (c.has("cut-to") && to > line.length())
+    throw Failure(ExitCode::misuse, "--cut-to lies beyond the centre line's end at " + std::to_string(line.length()) + " mm");
+  Surface moved = moved_outward(tube, c.real("offset"));
+  if (c.has("cut-from") || c.has("cut-to")) moved = cut_between(moved, line, c.has("cut-from") ? from : -1e5, c.has("cut-to") ? to : 1e5);
+  double narrowest = line.length();
+  for (std::size_t i = 0; i < line.arc.size(); ++i)
+    if (line.arc[i] >= from && line.arc[i] <= to && i > 0 && i + 1 < line.arc.size()) narrowest = std::min(narrowest, line.diameter[i]);
+  if (c.real("thickness") > narrowest / 2)
+    throw Failure(ExitCode::misuse, "the wall is thicker than the tube's radius, " + std::to_string(narrowest / 2) + " mm at its narrowest", "", "a smaller --thickness");
+  c.note("centre_line", {{"arc_mm", line.arc}, {"diameter_mm", line.diameter}, {"points_mm", line.points}});
+  double area = 0;
+  for (const auto& t : moved.triangles)
+    area += norm(cross(moved.points[t[1]] - moved.points[t[0]], moved.points[t[2]] - moved.points[t[0]])) / 2;
+  ShellMesh mesh = mesh_tube(moved, shell_sizes(c, line), c.real("thickness"));
+  improve_shell(mesh, SurfaceIndex(moved), 10);
+  write_shells(c.output("mesh"), mesh);
+  check_shell(c, read_shells(c.output("mesh")), area);
+}
+
 }  // namespace
 
 void run(Command& c) {
+  if (c.text("kind") == "shell") return mesh_shell(c);
   const Surface given = without_unused_points(read_surface(c.input("surface")));
   const auto given_shells = closed_shells(given);
   const double volume = total_volume(given_shells, bodies_of(given, given_shells));

@@ -1,0 +1,38 @@
+# palpate-idealize and thin walls of palpate-mesh: the paper's cylinder, found again by the fit, cut and meshed within the paper's limits.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+bin=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+"$bin/palpate-idealize" cylinder.vtp --quiet
+"$bin/palpate-idealize" fitted.vtp --like cylinder.vtp --quiet
+"$bin/palpate-idealize" tube.vtp --like cylinder.vtp --shape tube --quiet
+shell="--kind shell --thickness 1.4 --offset -0.7 --focus 0,0,50 --focus-radius 15 --quiet"
+"$bin/palpate-mesh" cylinder.vtp wall.vtu $shell
+"$bin/palpate-mesh" cylinder.vtp again.vtu $shell --threads 2
+cmp wall.vtu again.vtu
+"$bin/palpate-mesh" cylinder.vtp piece.vtu $shell --cut-from 20 --cut-to 80
+python3 - <<'PY'
+import json, math
+card = lambda name: json.load(open(name + ".card.json"))["notes"]
+fit, apart = card("fitted.vtp")["cylinder"], card("fitted.vtp")["difference"]
+area = {name: card(name)["quality"]["area_mm2"] for name in ("wall.vtu", "piece.vtu")}
+pi_d = math.pi * (25 - 1.4)
+for name, value, wanted, tolerance in [  # mm: chords of 1 mm on a circle of 12.5 mm lie up to 0.01 mm inside
+    ("diameter", fit["diameter_mm"], 25, 0.03), ("length", fit["length_mm"], 100, 0.01), ("axis", abs(fit["axis"][2]), 1, 1e-6),
+    ("distance", apart["hausdorff_mm"], 0, 0.05), ("volume", apart["volume_mm3"] / apart["like_volume_mm3"], 1, 0.005),
+    ("tube's volume", card("tube.vtp")["difference"]["volume_mm3"] / apart["like_volume_mm3"], 1, 0.002),
+    ("area", area["wall.vtu"] / (100 * pi_d), 1, 0.01), ("area of the piece", area["piece.vtu"] / (60 * pi_d), 1, 0.01)]:
+    if not abs(value - wanted) <= tolerance:
+        raise SystemExit(f"{name}: {value}, not {wanted}")
+if card("wall.vtu")["quality"]["worst"]["shortest_edge_mm"] > 2 or len(card("wall.vtu")["quality"]["worst_ten"]) != 10:
+    raise SystemExit("no fine edges at the focus, or no ten worst")
+PY
+
+got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu --kind shell --thickness 13 --quiet 2>message || got=$?
+if [ $got != 2 ] || ! grep -q "thicker than the tube's radius" message; then echo "a wall thicker than the radius: $got"; cat message; exit 1; fi
+got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu --kind shell --cut-to 500 --quiet 2>message || got=$?
+if [ $got != 2 ] || ! grep -q "beyond the centre line" message; then echo "a cut beyond the end: $got"; cat message; exit 1; fi
+echo "cylinder fitted, cut and meshed"
