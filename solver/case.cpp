@@ -136,6 +136,7 @@ Case read_case(const std::filesystem::path& path, const std::filesystem::path& m
   copy_geometry(c.mesh, c.model, c.mesh_path);
   read_materials(settings, c);
   read_loads(settings, c);
+  read_contacts(settings, c);
   read_tools(settings, c);
   const double end = std::max(end_of_loads(c.model), 0.0);
   if (!(end > 0)) throw Failure(ExitCode::misuse, "nothing moves the organ", settings.where(), "[tool], [[displacement]] or [[force]]");

@@ -31,6 +31,7 @@ struct Case {
   bool keep_partial = false; ///< deliver what was reached when the full depth is not
   int base_nodes = 0;
   std::vector<Moved> moved;
+  std::vector<std::vector<std::string>> contacts;  ///< names of the two regions, or of the one that touches itself
   std::vector<Eigen::Vector3d> aims_mm;  ///< of the tools
   std::vector<std::filesystem::path> tool_files;  ///< of the tools that have one
 };

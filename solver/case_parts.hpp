@@ -36,6 +36,9 @@ void read_loads(const Settings& settings, Case& c);
 /// [tool] or [[tool]] into the model, at first contact with the organ at rest.
 void read_tools(const Settings& settings, Case& c);
 
+/// [[contact]] into the model.
+void read_contacts(const Settings& settings, Case& c);
+
 /// Time at which the last load or tool stops changing, s.
 double end_of_loads(const implicit::Model& model);
 

@@ -108,6 +108,7 @@ void ResultFolder::add(const implicit::Step& step, bool last) {
   depth_ = d.depth;
   peak_force_ = std::max(peak_force_, force_);
   steps_ = step.index;
+  organs_ = contact.organs;
   worst_penetration_ = std::max(worst_penetration_, contact.penetration);
   for (double value : {step.state.time, d.depth, d.vector.x(), d.vector.y(), d.vector.z(), d.force, d.area}) history_ += number(value) + ",";
   history_ += std::to_string(step.iterations);
@@ -163,6 +164,12 @@ Json ResultFolder::finish(double time_reached) {
                   {"worst_force_imbalance", worst_imbalance_}};
   for (const auto& more : model.materials)
     if (model.materials.size() > 1) summary["materials"].push_back({{"law", more.law.entry.name}, {"parameters", numbers(more.law.entry, more.parameters)}});
+  for (std::size_t i = 0; i < case_.contacts.size(); ++i) {
+    const auto sums = i < organs_.size() ? organs_[i] : implicit::OrganSums{};
+    Json facts = {{case_.contacts[i].size() == 2 ? "between" : "self", case_.contacts[i]}, {"contact_area_mm2", sums.area}};
+    if (case_.contacts[i].size() == 2) facts["force_on_first_N"] = json(sums.force);
+    summary["contacts"].push_back(facts);
+  }
   Json shapes = Json::array();
   for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_.aims_mm[i]));
   if (!shapes.empty()) {

@@ -11,21 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct QuadraturePoint {
-  double N[3];
-  double weight;  ///< of the area
-};
-
-/// Dunavant 1985, Int. J. Numer. Meth. Eng. 21:1129, table II, p = 4.
-constexpr double a1 = 0.445948490915965, w1 = 0.223381589678011;
-constexpr double a2 = 0.091576213509771, w2 = 0.109951743655322;
-constexpr std::array<QuadraturePoint, points_per_face> quadrature = {{{{1 - 2 * a1, a1, a1}, w1},
-                                                                      {{a1, 1 - 2 * a1, a1}, w1},
-                                                                      {{a1, a1, 1 - 2 * a1}, w1},
-                                                                      {{1 - 2 * a2, a2, a2}, w2},
-                                                                      {{a2, 1 - 2 * a2, a2}, w2},
-                                                                      {{a2, a2, 1 - 2 * a2}, w2}}};
-
 double area(const std::array<Vector3d, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
 
 /// Coulomb's friction by a return to the cone, with a little elastic slip: the trial shear v − n (n·v), v = shear − ε Δplace, is scaled back
@@ -89,9 +74,10 @@ FaceContact face_contact(const Tool& tool, double travel, const Face& face, doub
     const auto& [N, weight] = quadrature[q];
     const Vector3d x = N[0] * face.now[0] + N[1] * face.now[1] + N[2] * face.now[2];
     const tools::Distance d = tool.distance(x, travel);
-    const double carried = face.pressures[q], gap = -deepest * carried / (softness + carried);
-    const double stiffness = (softness + carried) * (softness + carried) / (softness * deepest);
-    const double t = carried + stiffness * (gap - d.g);
+    const double carried = face.pressures[q];
+    const GapLaw law(carried, softness, deepest);
+    const auto [gap, stiffness] = law;
+    const double t = law.pressure(carried, d.g);
     result.penetration = std::max(result.penetration, -d.g / size);
     if (!(t > 0)) {
       result.mismatch = std::max(result.mismatch, carried / softness);
@@ -159,7 +145,9 @@ std::vector<CatalogueEntry> entries() {
            "Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163", {}},
           {"contact", "coulomb", "shear up to friction times pressure, after a little elastic slip; sticking = true: without bound",
            "Simo and Laursen 1992, Computers & Structures 42:97, eq. 2.23-2.26",
-           {{"friction", "1", {0, 10}, 0.3, "Coulomb's coefficient, of a tool"}}}};
+           {{"friction", "1", {0, 10}, 0.3, "Coulomb's coefficient, of a tool"}}},
+          {"contact", "organs", "two organs, or an organ and itself, frictionless: lines along both surfaces' normals, pressures as against a tool",
+           "Zimmerman and Ateshian 2018, J. Biomech. Eng. 140:081013", {}}};
 }
 
 }  // namespace palpate::contact

@@ -8,13 +8,11 @@
 #include <vector>
 
 #include <solver/amplitude.hpp>
+#include <solver/contact/gap_law.hpp>
+#include <solver/contact/quadrature.hpp>
 #include <solver/contact/tool.hpp>
 
 namespace palpate::contact {
-
-constexpr int points_per_face = 6;
-/// No point of a solution lies deeper inside the tool than this part of the local element size.
-constexpr double deepest_gap = 0.01;
 
 /// A rigid tool on its way: its tip is at first_contact + travel · axis, travel = depth · ramp(time).
 struct Tool {

@@ -3,6 +3,7 @@
 #include <solver/contact/triangle_tree.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace palpate::contact {
@@ -87,6 +88,47 @@ NearestPoint TriangleTree::nearest(const Vector3d& x) const {
     open.push_back(near);
   }
   return best;
+}
+
+/// Möller and Trumbore 1997, J. Graphics Tools 2:21, with a margin so that no line slips through between two triangles.
+Crossing TriangleTree::crossing_of(const Vector3d& x, const Vector3d& d, int triangle) const {
+  constexpr double margin = 1e-10;
+  const auto& c = triangles_[triangle];
+  const Vector3d e1 = c[1] - c[0], e2 = c[2] - c[0], p = d.cross(e2), from = x - c[0], q = from.cross(e1);
+  const double det = e1.dot(p);
+  if (det == 0) return {};
+  const double u = from.dot(p) / det, v = d.dot(q) / det, s = e2.dot(q) / det;
+  if (!(u >= -margin && v >= -margin && u + v <= 1 + margin && s >= 0)) return {};
+  return {s, triangle, {1 - u - v, u, v}};
+}
+
+void TriangleTree::visit_line(const Vector3d& x, const Vector3d& d, const double& reach, const std::function<void(int)>& visit) const {
+  if (nodes_.empty()) return;
+  const auto meets = [&](const Eigen::AlignedBox3d& box) {
+    double enter = 0, leave = reach;
+    for (int k = 0; k < 3; ++k) {
+      if (std::abs(d(k)) < 1e-300) {
+        if (x(k) < box.min()(k) || x(k) > box.max()(k)) return false;
+        continue;
+      }
+      const double a = (box.min()(k) - x(k)) / d(k), b = (box.max()(k) - x(k)) / d(k);
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave + 1e-12 * std::abs(leave);
+  };
+  std::vector<int> open = {0};
+  while (!open.empty()) {
+    const Node& node = nodes_[open.back()];
+    open.pop_back();
+    if (!meets(node.box)) continue;
+    if (node.left < 0) {
+      for (int i = node.begin; i < node.end; ++i) visit(order_[i]);
+    } else {
+      open.push_back(node.right);
+      open.push_back(node.left);
+    }
+  }
 }
 
 }  // namespace palpate::contact

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <map>
 
 #include <solver/implicit/parallel.hpp>
 
@@ -32,25 +31,6 @@ elements::BodyForce body_force_of(const Model& model, int tet) {
   return force;
 }
 
-/// A tetrahedron of every face.
-std::vector<int> tets_of_faces(const Model& model) {
-  std::map<std::array<int, 3>, int> tet_of;
-  for (int t = 0; t < static_cast<int>(model.tets.size()); ++t)
-    for (int s = 0; s < 4; ++s) {
-      std::array<int, 3> face;
-      for (int a = 0, i = 0; a < 4; ++a)
-        if (a != s) face[i++] = model.tets[t][a];
-      std::sort(face.begin(), face.end());
-      tet_of[face] = t;
-    }
-  std::vector<int> tets;
-  for (auto face : model.faces) {
-    std::sort(face.begin(), face.end());
-    tets.push_back(tet_of.at(face));
-  }
-  return tets;
-}
-
 }  // namespace
 
 Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(threads) {
@@ -58,7 +38,8 @@ Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(th
     rest_.push_back(elements::tetrahedron(corners(model, model.tets[t])));
     body_force_.push_back(body_force_of(model, t));
   }
-  if (model.tools.empty()) return;
+  if (!model.passes.empty()) around_ = nodes_around(model);
+  if (model.tools.empty() && model.passes.empty()) return;
   for (int t : tets_of_faces(model)) softness_.push_back(softness_over_shear_modulus * model.materials[model.tet_material[t]].shear_modulus());
 }
 
@@ -149,11 +130,14 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
   equations.residual = Eigen::VectorXd::Zero(state.nodal.size());
   equations.contact.tools.resize(model_.tools.size());
   equations.contact.points.assign(state.contact_pressures.size(), {});
+  const auto meetings = meetings_of(state);
+  tangent.extend(touching_nodes(meetings));
   tangent.set_zero(threads_);
   add_elements(state, equations, tangent);
   if (equations.fault != elements::ElementFault::none) return equations;
   add_loads(state, equations, tangent);
   for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
+  add_organ_contact(meetings, state, equations, tangent);
   return equations;
 }
 

@@ -13,10 +13,25 @@ struct ToolSums {
   Eigen::VectorXd by_travel;                        ///< ∂residual/∂(travel of the tool), N/mm
 };
 
+/// What two organs, or two parts of one, do to each other.
+struct OrganSums {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the organ of the first pass, N; zero for an organ on itself
+  double area = 0;                                  ///< of the faces that touch, mm²; half of what both passes see
+};
+
+/// A point of contact between organs, by its place in State::pair_pressures; nodes of its own face, then of the other.
+struct PairPlace {
+  std::size_t at = 0;
+  std::array<int, 6> nodes;
+  contact::PairPoint point;
+};
+
 struct ContactSums {
   std::vector<ToolSums> tools;
   double penetration = 0, mismatch = 0;  ///< worst ones; see FaceContact
   std::vector<contact::Point> points;    ///< every contact point, as State::contact_pressures
+  std::vector<OrganSums> organs;         ///< one per contact of the case
+  std::vector<PairPlace> pairs;          ///< those that lie inside the other surface
 };
 
 struct Equations {
@@ -37,6 +52,8 @@ class Assembly {
   Equations operator()(State& state, BlockMatrix& tangent) const;
   /// Change of the residual at an unchanged shape when time goes on: loads grow, tools travel (to first order).
   Eigen::VectorXd change_by_time(const Equations& equations, double from, double to) const;
+  /// Pressures of contact between organs after the same part of a step.
+  std::vector<double> next_pair_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double length) const;
   /// Contact pressures after a part `length` of the Newton step `step` from `state`, while time goes on to `time`.
   std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double time,
                                      double length) const;
@@ -48,6 +65,11 @@ class Assembly {
  private:
   void add_elements(State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  using Meetings = std::vector<std::vector<contact::Meeting>>;  ///< pass by pass
+  Meetings meetings_of(const State& state) const;
+  std::vector<std::array<int, 2>> touching_nodes(const Meetings& meetings) const;
+  void add_organ_contact(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_pair(const PairPlace& place, Equations& equations, BlockMatrix& tangent) const;
   void add_contact(int tool, const State& state, Equations& equations, BlockMatrix& tangent) const;
 
   const Model& model_;
@@ -55,6 +77,7 @@ class Assembly {
   std::vector<elements::Tetrahedron> rest_;
   std::vector<elements::BodyForce> body_force_;
   std::vector<double> softness_;  ///< of every face, MPa, see contact::face_contact
+  std::vector<std::vector<int>> around_;  ///< nodes of the faces around each node; none without contact between organs
 };
 
 }  // namespace palpate::implicit

@@ -8,30 +8,58 @@
 
 namespace palpate::implicit {
 
-BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets, bool symmetric) {
+BlockMatrix::BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets, bool symmetric) : tets_(tets) {
   std::vector<std::vector<int>> lower(nodes);
   for (const auto& tet : tets)
     for (int i : tet)
       for (int j : tet)
         if (j < i) lower[i].push_back(j);
-  row_start_.push_back(0);
-  for (int i = 0; i < nodes; ++i) {
-    auto& row = lower[i];
+  for (auto& row : lower) {
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
-    column_.insert(column_.end(), row.begin(), row.end());
+  }
+  lay_out(lower);
+  if (!symmetric) skew_ = blocks_;
+}
+
+/// `lower`: the columns left of the diagonal, row by row, ascending. Values are zero afterwards.
+void BlockMatrix::lay_out(const std::vector<std::vector<int>>& lower) {
+  column_.clear();
+  row_start_ = {0};
+  for (int i = 0; i < static_cast<int>(lower.size()); ++i) {
+    column_.insert(column_.end(), lower[i].begin(), lower[i].end());
     column_.push_back(i);
     row_start_.push_back(static_cast<int>(column_.size()));
   }
   blocks_.assign(column_.size(), Block::Zero());
-  if (!symmetric) skew_ = blocks_;
-  for (const auto& tet : tets) {
+  tet_places_.clear();
+  for (const auto& tet : tets_) {
     TetPlaces places{{0, 1, 2, 3}, {}};
     std::sort(places.order.begin(), places.order.end(), [&](int a, int b) { return tet[a] < tet[b]; });
     for (int i = 0, k = 0; i < 4; ++i)
       for (int j = 0; j <= i; ++j) places.block[k++] = place(tet[places.order[i]], tet[places.order[j]]);
     tet_places_.push_back(places);
   }
+}
+
+bool BlockMatrix::holds(int i, int j) const {
+  const int at = place(i, j);
+  return at < row_start_[i + 1] && column_[at] == j;
+}
+
+bool BlockMatrix::extend(const std::vector<std::array<int, 2>>& pairs) {
+  if (std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return holds(pair[0], pair[1]); })) return false;
+  std::vector<std::vector<int>> lower(nodes());
+  for (int i = 0; i < nodes(); ++i) lower[i].assign(column_.begin() + row_start_[i], column_.begin() + row_start_[i + 1] - 1);
+  for (const auto& [i, j] : pairs) lower[i].push_back(j);
+  for (auto& row : lower) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+  }
+  lay_out(lower);
+  if (!symmetric()) skew_ = blocks_;
+  ++extensions_;
+  return true;
 }
 
 void BlockMatrix::set_zero(int threads) {

@@ -1,5 +1,5 @@
-// A sparse matrix of 4 × 4 blocks, one for every pair of nodes that share a tetrahedron: the lower triangle of its symmetric part, and
-// of its skew part where there is friction.
+// A sparse matrix of 4 × 4 blocks, one for every pair of nodes that share a tetrahedron or that contact brings together: the lower
+// triangle of its symmetric part, and of its skew part where the forces have no potential.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
@@ -13,6 +13,11 @@ using Block = Eigen::Matrix4d;
 class BlockMatrix {
  public:
   BlockMatrix(int nodes, const std::vector<std::array<int, 4>>& tets, bool symmetric = true);
+
+  /// Makes room for the blocks of more pairs of nodes, i > j, and sets all values to zero; false, and nothing done, when there was room.
+  bool extend(const std::vector<std::array<int, 2>>& pairs);
+  /// Counts the extensions: a new pattern needs a new analysis.
+  int extensions() const { return extensions_; }
 
   void set_zero(int threads = 1);
   /// Adds the block of nodes (i, j); (j, i) is its transpose and is not added separately.
@@ -36,13 +41,17 @@ class BlockMatrix {
     std::array<int, 4> order;   ///< the tetrahedron's corners by ascending node
     std::array<int, 10> block;  ///< of corners (order[i], order[j]), j ≤ i, row by row
   };
+  void lay_out(const std::vector<std::vector<int>>& lower);
+  bool holds(int i, int j) const;
   int place(int i, int j) const;
 
   std::vector<int> row_start_;  ///< of the lower triangle, by node
   std::vector<int> column_;     ///< ascending in each row; the diagonal last
   std::vector<Block> blocks_;   ///< of the symmetric part
   std::vector<Block> skew_;     ///< of the skew part; empty for a symmetric matrix
+  std::vector<std::array<int, 4>> tets_;
   std::vector<TetPlaces> tet_places_;
+  int extensions_ = 0;
 };
 
 }  // namespace palpate::implicit

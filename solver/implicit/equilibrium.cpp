@@ -46,8 +46,9 @@ struct Equilibrium::Trial {
 Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
     : model_(model),
       limits_(limits),
+      threads_(threads),
       assembly_(model, threads),
-      tangent_(static_cast<int>(model.points.size()), model.tets, !has_friction(model)),
+      tangent_(static_cast<int>(model.points.size()), model.tets, is_conservative(model)),
       solver_(solver_for(tangent_, threads)),
       fixed_(4 * model.points.size(), 0) {
   for (const auto& p : model.prescribed) fixed_[4 * p.node + p.component] = 1;
@@ -82,6 +83,10 @@ bool Equilibrium::factor() {
   at_equilibrium_ = false;
   std::vector<double> values;
   tangent_.values(fixed_, values);
+  if (analysed_extensions_ != tangent_.extensions()) {
+    solver_ = solver_for(tangent_, threads_);
+    analysed_extensions_ = tangent_.extensions();
+  }
   if (solver_.factor(values)) return true;
   trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front()};
   return false;
@@ -125,6 +130,7 @@ bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Eigen::Vector
   trial.state = start.state;
   trial.state.nodal += length * step;
   trial.state.contact_pressures = assembly_.next_pressures(start.state, start.equations.contact, step, start.state.time, length);
+  trial.state.pair_pressures = assembly_.next_pair_pressures(start.state, start.equations.contact, step, length);
   trial.prescribed = (1 - length) * start.prescribed;
   trial.equations = assembly_(trial.state, tangent_);
   if (trial.equations.fault != elements::ElementFault::none) return false;
@@ -175,6 +181,7 @@ bool Equilibrium::predict(Trial& trial, double time) {
   State moved = trial.state;
   moved.nodal += step;
   moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, step, time, 1);
+  moved.pair_pressures = assembly_.next_pair_pressures(trial.state, last_found_.contact, step, 1);
   moved.time = time;
   trial.equations = assembly_(moved, tangent_);
   if (!step.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;

@@ -52,9 +52,11 @@ class Equilibrium {
 
   const Model& model_;
   NewtonLimits limits_;
+  int threads_;
   Assembly assembly_;
   BlockMatrix tangent_;
   SparseDirect solver_;
+  int analysed_extensions_ = 0;  ///< of the tangent's pattern, as the solver knows it
   std::vector<char> fixed_;
   int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
   double volume_scale_ = 0, force_floor_ = 0, element_size_ = 0;

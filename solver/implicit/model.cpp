@@ -3,6 +3,7 @@
 #include <solver/implicit/model.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace palpate::implicit {
 
@@ -11,12 +12,46 @@ State rest_state(const Model& model) {
   state.nodal = Eigen::VectorXd::Zero(4 * model.points.size());
   state.bubbles.assign(model.tets.size(), Eigen::Vector3d::Zero());
   state.contact_pressures.assign(contact::points_per_face * model.faces.size() * model.tools.size(), 0.0);
+  std::size_t pair_points = 0;
+  for (const auto& pass : model.passes) pair_points += contact::points_per_face * pass.own.size();
+  state.pair_pressures.assign(pair_points, 0.0);
   if (has_friction(model)) remember_slips(model, {}, state);
   return state;
 }
 
 bool has_friction(const Model& model) {
   return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.friction > 0; });
+}
+
+bool is_conservative(const Model& model) { return !has_friction(model) && model.passes.empty(); }
+
+std::vector<int> tets_of_faces(const Model& model) {
+  std::map<std::array<int, 3>, int> tet_of;
+  for (int t = 0; t < static_cast<int>(model.tets.size()); ++t)
+    for (int s = 0; s < 4; ++s) {
+      std::array<int, 3> face;
+      for (int a = 0, i = 0; a < 4; ++a)
+        if (a != s) face[i++] = model.tets[t][a];
+      std::sort(face.begin(), face.end());
+      tet_of[face] = t;
+    }
+  std::vector<int> tets;
+  for (auto face : model.faces) {
+    std::sort(face.begin(), face.end());
+    tets.push_back(tet_of.at(face));
+  }
+  return tets;
+}
+
+std::vector<std::vector<int>> nodes_around(const Model& model) {
+  std::vector<std::vector<int>> around(model.points.size());
+  for (const auto& face : model.faces)
+    for (int node : face) around[node].insert(around[node].end(), face.begin(), face.end());
+  for (auto& nodes : around) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+  return around;
 }
 
 std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face) {

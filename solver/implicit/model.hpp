@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include <solver/contact/organ_contact.hpp>
 #include <solver/contact/tool_contact.hpp>
 #include <solver/elements/mini_tetrahedron.hpp>
 
@@ -46,6 +47,7 @@ struct Model {
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> body_force;  ///< N/mm³ at a rest position, besides gravity; may be empty
   int body_amplitude = 0;                     ///< of gravity and body force
   std::vector<contact::Tool> tools;
+  std::vector<contact::Pass> passes;          ///< contact between organs
 };
 
 /// Unknowns node by node (u_x, u_y, u_z, p), bubbles tet by tet, contact pressures point by point.
@@ -54,6 +56,7 @@ struct State {
   std::vector<Eigen::Vector3d> bubbles;
   std::vector<double> contact_pressures;  ///< MPa; tool by tool, face by face, point by point
   std::vector<contact::Slip> slips;        ///< in the same order; none without friction
+  std::vector<double> pair_pressures;      ///< MPa, of contact between organs; pass by pass, own face by own face, point by point
   double time = 0;                        ///< s
 
   Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
@@ -61,6 +64,15 @@ struct State {
 };
 
 bool has_friction(const Model& model);
+
+/// Whether every force has a potential, so that the tangent is symmetric.
+bool is_conservative(const Model& model);
+
+/// A tetrahedron of every face.
+std::vector<int> tets_of_faces(const Model& model);
+
+/// Nodes of the faces around each node, itself too, ascending.
+std::vector<std::vector<int>> nodes_around(const Model& model);
 
 State rest_state(const Model& model);
 

@@ -64,6 +64,10 @@ SparseDirect::~SparseDirect() {
   if (mumps_) mumps_->call(-2);
 }
 SparseDirect::SparseDirect(SparseDirect&&) noexcept = default;
+SparseDirect& SparseDirect::operator=(SparseDirect&& other) noexcept {
+  std::swap(mumps_, other.mumps_);
+  return *this;
+}
 
 bool SparseDirect::factor(const std::vector<double>& values) {
   Mumps& m = *mumps_;

@@ -13,6 +13,7 @@ class SparseDirect {
   SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, bool symmetric, int threads);
   ~SparseDirect();
   SparseDirect(SparseDirect&&) noexcept;
+  SparseDirect& operator=(SparseDirect&&) noexcept;
 
   /// Numeric factorisation. False when the matrix is singular to working precision. Throws std::bad_alloc without memory.
   bool factor(const std::vector<double>& values);

@@ -7,6 +7,7 @@
 #include <palpate/errors.hpp>
 #include <solver/case.hpp>
 #include <tests/verify/block_surface.hpp>
+#include <tests/verify/organs.hpp>
 #include <tests/verify/shapes.hpp>
 #include <tests/words/temporary_folder.hpp>
 
@@ -155,4 +156,30 @@ depth_mm = 1.0
   EXPECT_EQ(the_case.tool_files[0], folder / "block.vtp");
   EXPECT_TRUE(says(refusal(neo_hookean, base + tool), "file"));
   EXPECT_TRUE(says(refusal(neo_hookean, base + ball + file), "file"));  // a ball has none
+}
+
+TEST_F(CaseFile, ContactIsBetweenRegionsOfTheMesh) {
+  auto two = verify::brick(verify::uniform(-5, 5, 2), verify::uniform(-5, 5, 2), verify::uniform(0, 5, 2));
+  const int tets = two.tets.size(), faces = two.faces.size();
+  auto upper = two;
+  for (auto& x : upper.points) x.z() += 6;
+  verify::append(two, upper);
+  auto mesh = verify::mesh_of(two);
+  for (std::size_t t = tets; t < mesh.tets.size(); ++t) mesh.tet_region[t] = 2;
+  mesh.region_names = {{1, "lower"}, {2, "upper"}};
+  write_mesh(folder / "mesh.vtu", mesh);
+  const auto with = [&](const std::string& contact) { return base + ball + "[[contact]]\n" + contact; };
+  const auto between = read_whole(neo_hookean, with("between = [\"lower\", \"upper\"]\n"));
+  ASSERT_EQ(between.model.passes.size(), 2u);
+  EXPECT_EQ(between.model.passes[0].own.size(), faces);
+  EXPECT_EQ(between.model.passes[0].own, between.model.passes[1].other);
+  EXPECT_FALSE(between.model.passes[0].joined);
+  const auto self = read_whole(neo_hookean, with("self = \"upper\"\n"));
+  ASSERT_EQ(self.model.passes.size(), 1u);
+  EXPECT_TRUE(self.model.passes[0].joined);
+  EXPECT_EQ(self.model.passes[0].own.front(), faces);
+  EXPECT_TRUE(says(refusal(neo_hookean, with("between = [\"lower\", \"lower\"]\n")), "two regions"));
+  EXPECT_TRUE(says(refusal(neo_hookean, with("between = [\"lower\", \"tube\"]\n")), "tube"));
+  EXPECT_TRUE(says(refusal(neo_hookean, with("self = \"tube\"\n")), "tube"));
+  EXPECT_TRUE(says(refusal(neo_hookean, with("")), "two regions or of one with itself"));
 }
