@@ -14,13 +14,17 @@ function(palpate_room name)
   set_property(GLOBAL APPEND PROPERTY PALPATE_ROOMS ${name})
 endfunction()
 
-# palpate_program(<file>.cpp [<library>...]): the executable palpate-<file>. palpate.cpp is a group of commands with a main() of its own.
+# palpate_program(<file>.cpp [<library>...]): the executable palpate-<file>; palpate.cpp is palpate itself. A file that calls
+# run_group is a group of commands with a main() of its own.
 function(palpate_program file)
   cmake_path(GET file STEM stem)
   string(REPLACE "_" "-" program "palpate-${stem}")
   set(main palpate_main)
   if(stem STREQUAL "palpate")
     set(program palpate)
+  endif()
+  file(STRINGS ${file} is_group REGEX "run_group\\(")
+  if(is_group)
     set(main "")
   endif()
   add_executable(${program} ${file})

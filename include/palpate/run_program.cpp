@@ -10,10 +10,10 @@ namespace palpate {
 namespace fs = std::filesystem;
 namespace {
 
-Json catalogue_json(const Usage& usage) {
+Json catalogue_json(const std::function<std::vector<CatalogueEntry>()>& catalogue) {
   Json entries = Json::array();
-  if (usage.catalogue)
-    for (const auto& entry : usage.catalogue()) entries.push_back(to_json(entry));
+  if (catalogue)
+    for (const auto& entry : catalogue()) entries.push_back(to_json(entry));
   return entries;
 }
 
@@ -29,7 +29,7 @@ bool answered_question(const Usage& usage, const std::vector<std::string>& words
     else if (word == "--xml")
       std::cout << slicer_xml(usage);
     else if (word == "--catalogue")
-      std::cout << catalogue_json(usage).dump(2) << "\n";
+      std::cout << catalogue_json(usage.catalogue).dump(2) << "\n";
     else
       continue;
     return true;
@@ -47,7 +47,7 @@ bool answered_question(const Group& group, const std::string& word) {
   else if (word == "--xml")
     std::cout << slicer_xml(group);
   else if (word == "--catalogue")
-    std::cout << "[]\n";
+    std::cout << catalogue_json(group.catalogue).dump(2) << "\n";
   else
     return false;
   return true;

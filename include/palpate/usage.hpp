@@ -95,6 +95,7 @@ struct Group {
   std::string sentence;
   std::string details;
   std::vector<Usage> commands;
+  std::function<std::vector<CatalogueEntry>()> catalogue;  ///< this program's part of `palpate list`; may be empty
 };
 Json describe(const Group& group);
 std::string slicer_xml(const Group& group);  ///< Slicer knows no groups: an executable without parameters

@@ -1,0 +1,69 @@
+// Closed forms of the elastic force under a ball or a flat punch.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/forward/backbone.hpp>
+
+#include <cmath>
+
+#include <loop/forward/layer.hpp>
+
+namespace palpate::loop {
+namespace {
+
+/// Stress of the law over that of Hooke's law at the representative stretch 1 − y.
+double nonlinearity(const Tissue& tissue, double y) {
+  y = std::min(y, 0.9);
+  if (!(y > 1e-6) || tissue.law->name == "hooke_linear") return 1;
+  const double mu = tissue.law->shear_modulus(tissue.parameters);
+  return -nominal_stress(Test::uniaxial, 1 - y, *tissue.law, tissue.parameters, tissue.stiffening) / (3 * mu * y);
+}
+
+/// c1 = ∫ ½ w′² 2πr dr and c2 = ⅔ ∫ ¼ w′⁴ 2πr dr for w = Hertz' deflection in units of δ, r in units of a, out to ten contact radii:
+/// energies T c1 δ² and E h c2 δ⁴/a². With membrane modulus 1/(1 − ν²), ν = ½, and radial strain ½ w′². (Johnson 1985, eq. 3.42)
+struct SkinConstants {
+  double tension = 0, stretch = 0;
+  SkinConstants() {
+    constexpr int steps = 4000;
+    constexpr double end = 10;
+    for (int i = 0; i < steps; ++i) {
+      const double r = end * (i + 0.5) / steps, dr = end / steps;
+      const auto deflection = [](double x) {
+        return x < 1 ? 1 - x * x / 2 : ((2 - x * x) * std::asin(1 / x) + std::sqrt(x * x - 1)) / M_PI;
+      };
+      const double slope = (deflection(r + 1e-4) - deflection(r - 1e-4)) / 2e-4;
+      tension += 0.5 * slope * slope * 2 * M_PI * r * dr;
+      stretch += 2.0 / 3 * 0.25 * std::pow(slope, 4) * 2 * M_PI * r * dr;
+    }
+  }
+};
+
+/// a² = Rδ: energies T c1 δ² and E h c2 δ³/R, so F = 2 c1 T δ + 3 c2 E h δ²/R.
+double skin_force(const Tissue& tissue, double R, double depth) {
+  static const SkinConstants c;
+  return 2 * c.tension * tissue.tension_N_per_mm * depth + 3 * c.stretch * tissue.capsule_N_per_mm * depth * depth / R;
+}
+
+double inclusion_factor(const Site& site, const Tissue& tissue, double contact_mm) {
+  double factor = 1;
+  for (const Inclusion& inclusion : tissue.inclusions) {
+    const Vec3 apart = site.point_mm - inclusion.point_mm;
+    const double s = contact_mm / (inclusion.depth_mm + norm(apart)), s3 = s * s * s;
+    factor += inclusion.excess * s3 / (1 + s3);
+  }
+  return factor;
+}
+
+}  // namespace
+
+double elastic_force(const Site& site, const Tissue& tissue, double depth) {
+  if (!(depth > 0)) return 0;
+  const double R = site.tool.radius_mm, h = site.thickness_mm * tissue.thickness_factor;
+  const double mu = tissue.law->shear_modulus(tissue.parameters), from_nu = 1 / (2 * (1 - tissue.nu));
+  const bool flat = site.tool.kind == "flat_punch" || site.tool.kind == "flat";
+  const double a = flat ? R : std::sqrt(R * depth);
+  const double half_space = flat ? 8 * R * mu * depth : 16.0 / 3 * mu * a * depth;
+  const double factor = layer_factor(flat, site.bonded, tissue.nu, a / h);
+  return half_space * from_nu * factor * nonlinearity(tissue, flat ? depth / (5 * R) : a / (5 * R)) * inclusion_factor(site, tissue, a) +
+         skin_force(tissue, R, depth);
+}
+
+}  // namespace palpate::loop

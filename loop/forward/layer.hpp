@@ -1,0 +1,28 @@
+// Rigid ball or flat punch, frictionless, on an elastic layer at small strain: the exact force over that on a half-space.
+// φ(t) − 1/π ∫₀ᵃ φ(s) [K(t+s) + K(t−s)] ds = δ − t²/R, K(x) = ∫₀^∞ (1 − M(kh)) cos kx dk, F ∝ ∫₀ᵃ φ dt; a ball's edge is where
+// φ(a) = 0. Compliance of the layer, κ = 3 − 4 ν:
+//   bonded  M(α) = (2κ sinh 2α − 4α)/(2κ cosh 2α + 1 + κ² + 4α²);  sliding  M(α) = (cosh 2α − 1)/(sinh 2α + 2α).
+// (Lebedev and Ufliand 1958, J. Appl. Math. Mech. 22:442; Dhaliwal and Rau 1970, Int. J. Eng. Sci. 8:843; Johnson 1985 §5.8.)
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+namespace palpate::loop {
+
+/// Factors over a range of contact radius, for one base and one Poisson's ratio; h = 1.
+class LayerFactors {
+ public:
+  LayerFactors(bool bonded, double nu);
+  /// Force of a ball over Hertz's, at χ = √(Rδ)/h up to 3 (the last value holds beyond).
+  double ball(double chi) const;
+  /// Force of a flat punch over that on a half-space, at a/h up to 3.
+  double punch(double a_over_h) const;
+
+ private:
+  std::vector<double> a_, chi_, ball_, punch_;
+};
+
+/// Factor of a ball (at χ) or a flat punch (at a/h) for any ν from 0.2 to ½, between tables 0.02 apart that are built once and kept.
+double layer_factor(bool flat, bool bonded, double nu, double at);
+
+}  // namespace palpate::loop

@@ -1,0 +1,204 @@
+// The chain from displacement read to force read.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/forward/model.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <loop/forward/row.hpp>
+
+namespace palpate::loop {
+namespace {
+
+constexpr int springs = 64;
+
+std::vector<int> block_begins(int samples, int most) {
+  const int count = std::min(samples, most);
+  std::vector<int> begin;
+  for (int b = 0; b <= count; ++b) begin.push_back(static_cast<int>(static_cast<long>(samples) * b / count));
+  return begin;
+}
+
+double step_s(const Run& run, std::size_t i) {
+  if (!run.timed) return 1e9;  // quasi-static: everything that relaxes has relaxed
+  return i > 0 ? run.t[i] - run.t[i - 1] : run.t.size() > 1 ? run.t[1] - run.t[0] : 1;
+}
+
+/// u at which the elastic force reaches that of the zero's definition.
+double depth_of_force(double force, double deepest, const auto& elastic) {
+  double low = 0, high = deepest;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (elastic(middle) < force ? low : high) = middle;
+  }
+  return low;
+}
+
+/// (1 + m sign(v) ln(1 + |v|/v0)), v over three samples.
+void add_rate(const Run& run, const Tissue& tissue, const Path& depth, double scale, Path& force) {
+  if (tissue.rate == 0 || !run.timed) return;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const std::size_t low = i > 0 ? i - 1 : 0, high = std::min(i + 1, force.size() - 1);
+    const double v = (depth[high] - depth[low]) / (run.t[high] - run.t[low]) / scale;
+    const double surplus = std::log1p(std::abs(v) / tissue.rate_reference_per_s);
+    force[i] *= 1 + tissue.rate * (v > 0 ? surplus : -surplus);
+  }
+}
+
+/// F (1 + 3π/16 μ a/R s); s follows the motion elastically over 5 % of the depth and slips at ±1 (stop operator).
+void add_friction(const Site& site, const Tissue& tissue, const Path& depth, Path& force) {
+  if (tissue.friction == 0 || site.tool.kind.starts_with("flat")) return;
+  double s = 0, before = 0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const double d = std::max(depth[i], 0.0), R = site.tool.radius_mm;
+    s = d > 0 ? std::clamp(s + (d - before) / (0.05 * std::max(d, before)), -1.0, 1.0) : 0;
+    before = d;
+    force[i] *= 1 + 3 * M_PI / 16 * tissue.friction * std::sqrt(std::min(d / R, 1.0)) * s;
+  }
+}
+
+/// Forces of a row under a tool whose mounting gives way by c F: F = row(u − c F), by Newton with the row's own slope.
+Path row_forces(const Run& run, Row& row, const Path& depth, double compliance) {
+  Path force(depth.size());
+  double F = 0;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const double dt = step_s(run, i);
+    if (compliance > 0) {
+      const double probe = 1e-6 * (1 + std::abs(depth[i]));
+      for (int iteration = 0; iteration < 8; ++iteration) {
+        const double at = row.trial(depth[i] - compliance * F, dt), miss = at - F;
+        if (std::abs(miss) < 1e-9 + 1e-7 * std::abs(F)) break;
+        const double slope = (row.trial(depth[i] - compliance * F + probe, dt) - at) / probe;
+        F += miss / (1 + compliance * std::max(slope, 0.0));
+      }
+    }
+    F = row.advance(depth[i] - compliance * F, dt);
+    force[i] = F;
+  }
+  return force;
+}
+
+}  // namespace
+
+Tissue tissue_of(const Model& model) {
+  Tissue tissue;
+  tissue.law = model.law;
+  tissue.parameters = model.parameters;
+  for (const Active& a : model.active)
+    if (a.effect->tissue) a.effect->tissue(a.amplitude, a.shape, tissue);
+  return tissue;
+}
+
+Forward::Forward(const Set& set) : set_(&set), scale_(0) {
+  int used = 0;
+  for (const Run& run : set.runs) used += run.role == Role::fit;
+  const int most = std::clamp(1500 / std::max(used, 1), 40, 120);
+  for (const Run& run : set.runs) {
+    begin_.push_back(block_begins(static_cast<int>(run.t.size()), most));
+    if (run.role != Role::calibration)
+      for (std::size_t i = 0; i < run.u.size(); ++i) scale_ = std::max(scale_, run.test == Test::indentation ? run.u[i] : std::abs(run.F[i]));
+  }
+  if (!(scale_ > 0)) scale_ = 1;
+}
+
+Eigen::VectorXd Forward::samples_per_block(std::size_t run) const {
+  Eigen::VectorXd count(blocks(run));
+  for (int b = 0; b < count.size(); ++b) count(b) = begin_[run][b + 1] - begin_[run][b];
+  return count;
+}
+
+std::string Forward::phase_of(std::size_t run, int block) const {
+  return set_->runs[run].phase[(begin_[run][block] + begin_[run][block + 1]) / 2];
+}
+
+Eigen::VectorXd Forward::averaged(std::size_t run, const std::vector<double>& values) const {
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(blocks(run));
+  for (int b = 0; b < mean.size(); ++b) {
+    for (int i = begin_[run][b]; i < begin_[run][b + 1]; ++i) mean(b) += values[i];
+    mean(b) /= begin_[run][b + 1] - begin_[run][b];
+  }
+  return mean;
+}
+
+Site Forward::site(const Run& run) const {
+  Site site;
+  site.tool = set_->tools.at(run.tool);
+  site.point_mm = run.point_mm;
+  const Specimen& s = set_->specimen;
+  site.bonded = s.bonded;
+  if (!s.shape.empty()) site.thickness_mm = s.size_mm[2];
+  if (s.shape == "ellipsoid") {  // height of the ellipsoid over its lowest point, along z, at the point
+    const double x = run.point_mm[0] / (s.size_mm[0] / 2), y = run.point_mm[1] / (s.size_mm[1] / 2);
+    site.thickness_mm *= std::sqrt(std::max(1 - x * x - y * y, 0.01));
+  }
+  return site;
+}
+
+void Forward::use_solved(const std::string& tool, const Vec3& point_mm, SolvedCurve curve, const Tissue& start) {
+  solved_.push_back({tool, point_mm, std::move(curve), start});
+}
+
+double Forward::elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const {
+  const double closed = elastic_force(site, tissue, depth);
+  for (const Solved& s : solved_) {
+    if (s.tool != run.tool || norm(s.point_mm - run.point_mm) > 1e-6) continue;
+    const auto& x = s.curve.depth_mm;
+    const std::size_t i = std::clamp<std::size_t>(std::upper_bound(x.begin(), x.end(), depth) - x.begin(), 1, x.size() - 1);
+    const double t = (depth - x[i - 1]) / (x[i] - x[i - 1]);
+    const double F = (1 - t) * s.curve.force_N[i - 1] + t * s.curve.force_N[i];
+    const double at_start = elastic_force(site, s.start, depth);
+    return at_start > 0 ? F * closed / at_start : 0;
+  }
+  return closed;
+}
+
+Path Forward::tissue_force(const Run& run, const Tissue& tissue, const Path& depth, double compliance) const {
+  if (run.test != Test::indentation) {
+    Row row({Spring{}}, tissue, scale_, false);
+    Path stress(depth.size());
+    for (std::size_t i = 0; i < depth.size(); ++i)
+      stress[i] = row.advance(nominal_stress(run.test, depth[i], *tissue.law, tissue.parameters, tissue.stiffening), step_s(run, i));
+    return stress;
+  }
+  const Site place = site(run);
+  const double deepest = std::max(*std::max_element(depth.begin(), depth.end()), 1e-6) * 1.001;
+  std::vector<double> depths, forces;
+  for (int i = 0; i <= springs; ++i) {
+    depths.push_back(deepest * std::pow(static_cast<double>(i) / springs, 1.4));
+    forces.push_back(elastic(run, place, tissue, depths.back()));
+  }
+  auto list = springs_of(depths, forces);
+  add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
+  Row row(std::move(list), tissue, scale_, true);
+  Path force = row_forces(run, row, depth, compliance + tissue.support_mm_per_N);
+  add_friction(place, tissue, depth, force);
+  return force;
+}
+
+std::vector<double> Forward::force(std::size_t r, const Model& model) const {
+  ++evaluations_;
+  const Run& run = set_->runs[r];
+  const Tissue tissue = tissue_of(model);
+  Path depth = run.u;
+  double compliance = model.compliance_mm_per_N, zero = 0;
+  if (run.zero == "tool_start") zero = -model.zero_mm;
+  if (run.zero_force_N > 0) {
+    const Site place = site(run);
+    zero = depth_of_force(run.zero_force_N, scale_, [&](double d) { return elastic(run, place, tissue, d); });
+  }
+  if (run.test == Test::indentation)
+    for (double& d : depth) d += zero;
+  for (const Active& a : model.active) {
+    if (a.effect->depth && run.test == Test::indentation) a.effect->depth(run, a.amplitude, a.shape, depth);
+    if (a.effect->compliance) compliance += a.effect->compliance(a.amplitude);
+  }
+  Path force(depth.size(), 0.0);
+  if (!run.is_air()) force = tissue_force(run, tissue, depth, compliance);
+  add_rate(run, tissue, run.u, run.test == Test::indentation ? scale_ : 1, force);
+  for (const Active& a : model.active)
+    if (a.effect->force) a.effect->force(run, a.amplitude, a.shape, force);
+  for (double& F : force) F *= 1 + model.gain;
+  return force;
+}
+
+}  // namespace palpate::loop

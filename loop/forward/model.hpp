@@ -1,0 +1,71 @@
+// From a set and a model to the force each run should have read: instrument ∘ tissue ∘ instrument, averaged over blocks of samples.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Dense>
+
+#include <loop/forward/backbone.hpp>
+#include <loop/forward/effect.hpp>
+
+namespace palpate::loop {
+
+/// An effect that is on.
+struct Active {
+  const Effect* effect = nullptr;
+  double amplitude = 0;
+  std::vector<double> shape;
+};
+
+struct Model {
+  const Law* law = nullptr;
+  std::vector<double> parameters;  ///< of the law
+  double zero_mm = 0;              ///< contact lies so far below the tool's start (zero = "tool_start")
+  double gain = 0;                 ///< of the rig, where it is known with a standard deviation
+  double compliance_mm_per_N = 0;  ///< of the rig, where it is known
+  std::vector<Active> active;
+};
+
+/// A curve that stands in for the closed form of a site at the null's start parameters: F of a solved case.
+struct SolvedCurve {
+  std::vector<double> depth_mm, force_N;
+};
+
+class Forward {
+ public:
+  explicit Forward(const Set& set);
+  const Set& set() const { return *set_; }
+  /// Every run's blocks, in order of the runs: at most `most` per run, never more than samples.
+  int blocks(std::size_t run) const { return static_cast<int>(begin_[run].size()) - 1; }
+  Eigen::VectorXd measured(std::size_t run) const { return averaged(run, set_->runs[run].F); }
+  Eigen::VectorXd times(std::size_t run) const { return averaged(run, set_->runs[run].t); }
+  Eigen::VectorXd samples_per_block(std::size_t run) const;
+  std::string phase_of(std::size_t run, int block) const;
+  Eigen::VectorXd averaged(std::size_t run, const std::vector<double>& values) const;
+  /// The force, N (stress in MPa of a homogeneous test), of each sample.
+  std::vector<double> force(std::size_t run, const Model& model) const;
+  Eigen::VectorXd predicted(std::size_t run, const Model& model) const { return averaged(run, force(run, model)); }
+  /// How often a run's force was computed.
+  long evaluations() const { return evaluations_; }
+  Site site(const Run& run) const;
+  /// From now on the elastic curve of runs with this tool and point is the solved one, times closed form over closed form at `start`.
+  void use_solved(const std::string& tool, const Vec3& point_mm, SolvedCurve curve, const Tissue& start);
+
+ private:
+  struct Solved {
+    std::string tool;
+    Vec3 point_mm;
+    SolvedCurve curve;
+    Tissue start;
+  };
+  double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
+  Path tissue_force(const Run& run, const Tissue& tissue, const Path& depth, double compliance) const;
+  const Set* set_;
+  double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests
+  std::vector<std::vector<int>> begin_;
+  std::vector<Solved> solved_;
+  mutable long evaluations_ = 0;
+};
+
+/// Law, parameters and active effects of tissue as one Tissue.
+Tissue tissue_of(const Model& model);
+
+}  // namespace palpate::loop

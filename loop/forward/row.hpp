@@ -1,0 +1,55 @@
+// A contact with memory as a row of independent springs: spring i stands δ_i below the first contact and has stiffness
+// w_i = F″(δ_i) Δδ, so that Σ w_i (δ − δ_i)₊ is the elastic curve F(δ) itself; every spring has the tissue's memory for itself.
+// For Hertz' curve this is the method of dimensionality reduction, exact for any history of a viscoelastic half-space, unloading
+// included (Popov and Heß 2015, ch. 7; Ting 1966; Argatov and Popov 2016). For layers and finite strain it is a shortcut.
+// A homogeneous test is a row of one spring that never lets go, its elongation being the elastic stress.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <span>
+#include <vector>
+
+#include <loop/forward/tissue.hpp>
+
+namespace palpate::loop {
+
+struct Spring {
+  double start = 0;      ///< δ_i
+  double stiffness = 1;  ///< w_i
+  double reach = 0;      ///< elongation at which it lets go (adhesion)
+};
+
+/// Springs that follow the convex curve F(δ), given at depths[0] = 0 < depths[1] < …
+std::vector<Spring> springs_of(std::span<const double> depths, std::span<const double> forces);
+
+/// Sets what each spring bears before it lets go: √(2π a w/E*), a = F′/(2E*) (Heß 2011; exact for JKR).
+void add_adhesion(std::vector<Spring>& springs, double work_J_per_m2, double reduced_modulus_MPa);
+
+class Row {
+ public:
+  /// `scale` is the deepest elongation of the set: Mullins' scale and the yield of permanent set are relative to it. `lets_go`: springs
+  /// carry no tension beyond their reach.
+  Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go);
+  /// The force after a further `dt` when the tool goes straight to `depth`; nothing is remembered.
+  double trial(double depth, double dt) const;
+  /// The same, remembered.
+  double advance(double depth, double dt);
+
+ private:
+  struct Memory {
+    std::vector<double> maxwell;  ///< elastic elongation of each Prony term
+    double elongation = 0, largest = 0, set = 0;
+    bool touching = false;
+  };
+  double step(const Spring& spring, const Memory& before, Memory& after, double depth) const;
+  double carried(Memory& after) const;
+  void prepare(double dt) const;
+
+  std::vector<Spring> springs_;
+  std::vector<Memory> memory_;
+  const Tissue tissue_;
+  double scale_, instant_;
+  bool lets_go_;
+  mutable std::vector<double> kept_, gained_;  ///< exp(−dt/τ) and (1 − exp(−dt/τ)) τ/dt of the current step
+};
+
+}  // namespace palpate::loop

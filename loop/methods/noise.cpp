@@ -1,0 +1,168 @@
+// Variances from replicates; whitening and colouring with a few directions (Woodbury) and a first-order correlation.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/methods/noise.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <loop/methods/thresholds.hpp>
+
+namespace palpate::loop {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+double prior_sd(int direction) {
+  return direction == 0 ? thresholds::prior_gain_sd : direction == 1 ? thresholds::prior_offset_sd : thresholds::prior_drift_sd;
+}
+
+/// Blocks become independent: x_b − ρ x_{b−1}.
+void decorrelate(double rho, Eigen::Ref<MatrixXd> x) {
+  if (rho == 0) return;
+  const double scale = 1 / std::sqrt(1 - rho * rho);
+  for (int b = static_cast<int>(x.rows()) - 1; b > 0; --b) x.row(b) = scale * (x.row(b) - rho * x.row(b - 1));
+}
+void correlate(double rho, Eigen::Ref<MatrixXd> x) {
+  if (rho == 0) return;
+  const double scale = std::sqrt(1 - rho * rho);
+  for (int b = 1; b < x.rows(); ++b) x.row(b) = scale * x.row(b) + rho * x.row(b - 1);
+}
+
+}  // namespace
+
+Whitener::Whitener(const NoiseShape& shape, const Noise& noise) : rho_(noise.correlation) {
+  const double scatter = noise.scatter * shape.largest_N;
+  sd_ = (noise.sensor_sd * noise.sensor_sd * shape.samples.cwiseInverse().array() + scatter * scatter).sqrt();
+  MatrixXd Z = shape.Q;
+  for (int j = 0; j < Z.cols(); ++j) Z.col(j) *= noise.sd[j] * shape.scale(j);
+  variance_ = (sd_.squaredNorm() + Z.squaredNorm()) / sd_.size();
+  Z.array().colwise() /= sd_.array();
+  decorrelate(rho_, Z);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(Z.transpose() * Z);  // Z = U S Vᵀ
+  U_ = Z * eigen.eigenvectors();
+  shrink_ = grow_ = VectorXd::Zero(Z.cols());
+  for (int j = 0; j < Z.cols(); ++j) {
+    const double s2 = std::max(eigen.eigenvalues()(j), 0.0);
+    if (!(s2 > 1e-14)) {
+      U_.col(j).setZero();
+      continue;
+    }
+    U_.col(j) /= std::sqrt(s2);
+    shrink_(j) = 1 - 1 / std::sqrt(1 + s2);
+    grow_(j) = std::sqrt(1 + s2) - 1;
+  }
+}
+
+void Whitener::whiten(Eigen::Ref<MatrixXd> x) const {
+  x.array().colwise() /= sd_.array();
+  decorrelate(rho_, x);
+  x -= U_ * (shrink_.asDiagonal() * (U_.transpose() * x)).eval();
+}
+
+void Whitener::colour(Eigen::Ref<MatrixXd> z) const {
+  z += U_ * (grow_.asDiagonal() * (U_.transpose() * z)).eval();
+  correlate(rho_, z);
+  z.array().colwise() *= sd_.array();
+}
+
+NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& slope, double depth_scale_mm) {
+  NoiseShape shape;
+  const VectorXd F = forward.measured(run), t = forward.times(run);
+  const int n = static_cast<int>(F.size());
+  shape.samples = forward.samples_per_block(run);
+  shape.largest_N = std::max(F.cwiseAbs().maxCoeff(), 1e-12);
+  MatrixXd B(n, noise_directions);
+  B.col(0) = F;
+  B.col(1) = slope * depth_scale_mm;
+  const VectorXd x = (2 * (t.array() - t(0)) / std::max(t(n - 1) - t(0), 1e-12) - 1);
+  B.col(2).setConstant(shape.largest_N);
+  B.col(3) = shape.largest_N * x;
+  B.col(4) = shape.largest_N * (1.5 * x.array().square() - 0.5);
+  B.col(5) = shape.largest_N * (2.5 * x.array().cube() - 1.5 * x.array());
+  shape.Q = MatrixXd::Zero(n, noise_directions);
+  shape.scale = VectorXd::Zero(noise_directions);
+  for (int j = 0; j < std::min(n, noise_directions); ++j) {  // Gram–Schmidt, twice
+    VectorXd q = B.col(j);
+    const double before = q.norm();
+    for (int again = 0; again < 2; ++again)
+      for (int k = 0; k < j; ++k) q -= shape.Q.col(k).dot(q) * shape.Q.col(k);
+    if (!(q.norm() > 1e-6 * before)) continue;
+    shape.scale(j) = q.norm();
+    shape.Q.col(j) = q / q.norm();
+  }
+  return shape;
+}
+
+double fast_sd(const std::vector<double>& values) {
+  std::vector<double> second;
+  for (std::size_t i = 2; i < values.size(); ++i) second.push_back(std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
+  if (second.empty()) return 0;
+  std::nth_element(second.begin(), second.begin() + second.size() / 2, second.end());
+  return second[second.size() / 2] / (std::sqrt(6.0) * 0.6745);
+}
+
+namespace {
+
+struct Sums {
+  std::vector<double> square = std::vector<double>(noise_directions, 0.0);
+  double degrees = 0, left = 0, expected = 0, neighbours = 0, weight = 0;
+};
+
+/// Deviations of one group's runs from their mean.
+void add_group(const std::vector<const NoiseShape*>& shapes, const std::vector<const VectorXd*>& residual, double sensor_sd, Sums& sums) {
+  const int m = static_cast<int>(shapes.size());
+  int n = static_cast<int>(residual[0]->size());
+  for (const VectorXd* r : residual) n = std::min(n, static_cast<int>(r->size()));
+  VectorXd mean = VectorXd::Zero(n);
+  for (const VectorXd* r : residual) mean += r->head(n) / m;
+  sums.degrees += m - 1;
+  for (int i = 0; i < m; ++i) {
+    const NoiseShape& s = *shapes[i];
+    VectorXd d = residual[i]->head(n) - mean;
+    for (int j = 0; j < noise_directions; ++j) {
+      if (!(s.scale(j) > 0)) continue;
+      const double c = s.Q.col(j).head(n).dot(d);
+      sums.square[j] += std::pow(c / s.scale(j), 2);
+      d -= c * s.Q.col(j).head(n);
+    }
+    d /= s.largest_N;
+    const double freedom = std::max(1.0, (n - noise_directions) * (1.0 - 1.0 / m));
+    sums.left += d.squaredNorm();
+    sums.weight += freedom;
+    sums.expected += sensor_sd * sensor_sd / (s.largest_N * s.largest_N) / s.samples.mean() * freedom;
+    sums.neighbours += d.head(n - 1).dot(d.tail(n - 1));
+  }
+}
+
+}  // namespace
+
+Noise estimate_noise(const std::vector<NoiseShape>& shapes, const std::vector<VectorXd>& residual, const std::vector<int>& group, double sensor_sd) {
+  Sums sums;
+  const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
+  for (int g = 0; g < groups; ++g) {
+    std::vector<const NoiseShape*> its_shapes;
+    std::vector<const VectorXd*> its_residual;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      if (group[i] == g) {
+        its_shapes.push_back(&shapes[i]);
+        its_residual.push_back(&residual[i]);
+      }
+    if (its_shapes.size() > 1) add_group(its_shapes, its_residual, sensor_sd, sums);
+  }
+  Noise noise;
+  noise.sensor_sd = sensor_sd;
+  noise.replicate_degrees = static_cast<int>(sums.degrees);
+  const double w = thresholds::prior_weight;
+  double drift = 0;
+  for (int j = 2; j < noise_directions; ++j) drift += sums.square[j] / (noise_directions - 2);
+  for (int j = 0; j < noise_directions; ++j)
+    noise.sd[j] = std::sqrt(((j < 2 ? sums.square[j] : drift) + w * prior_sd(j) * prior_sd(j)) / (sums.degrees + w));
+  if (sums.weight > 0) {
+    noise.scatter = std::sqrt(std::max(0.0, (sums.left - sums.expected) / sums.weight));
+    noise.correlation = std::clamp(sums.neighbours / std::max(sums.left, 1e-300), 0.0, 0.9);
+  }
+  return noise;
+}
+
+}  // namespace palpate::loop

@@ -1,0 +1,55 @@
+// Noise of a run: Σ = D ½ R D ½ + Q diag(v) Qᵀ: sensor and fast scatter with correlation ρ from block to block, and run-to-run changes of
+// gain, of contact and of slow drift (Legendre polynomials of time), with Q their orthonormal directions in that order.
+// The variances come from differences between replicates, never from a misfit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <loop/forward/model.hpp>
+
+#include <random>
+
+namespace palpate::loop {
+
+inline constexpr int noise_directions = 6;  ///< gain, contact, drift of order 0 to 3
+
+/// What a run's noise looks like, whatever its size.
+struct NoiseShape {
+  Eigen::MatrixXd Q;       ///< blocks × directions, orthonormal
+  Eigen::VectorXd scale;   ///< of each direction: N per unit of its relative standard deviation
+  Eigen::VectorXd samples; ///< in each block
+  double largest_N = 1;
+};
+
+struct Noise {
+  double sensor_sd = 0;   ///< of one sample, N
+  double scatter = 0;     ///< further fast scatter of a block, relative to the run's largest force
+  double correlation = 0; ///< of fast scatter from block to block
+  std::vector<double> sd = std::vector<double>(noise_directions, 0.0);  ///< relative, of each direction
+  int replicate_degrees = 0;  ///< runs in groups minus groups; 0: nothing is known of run-to-run changes
+};
+
+/// Σ^(-½) and Σ^(½) of one run. Rows of the matrices are blocks.
+class Whitener {
+ public:
+  Whitener(const NoiseShape& shape, const Noise& noise);
+  void whiten(Eigen::Ref<Eigen::MatrixXd> x) const;
+  void colour(Eigen::Ref<Eigen::MatrixXd> z) const;
+  double variance() const { return variance_; }  ///< mean over the blocks
+
+ private:
+  Eigen::VectorXd sd_;
+  double rho_, variance_;
+  Eigen::MatrixXd U_;
+  Eigen::VectorXd shrink_, grow_;
+};
+
+/// Directions of the run's noise; `slope` is dF/du of each block, N/mm.
+NoiseShape noise_shape(const Forward& forward, std::size_t run, const Eigen::VectorXd& slope, double depth_scale_mm);
+
+/// Standard deviation of one sample from second differences (median; exact for white noise on a straight line).
+double fast_sd(const std::vector<double>& values);
+
+/// `residual[i]` belongs to `shapes[i]`; `group[i]` names its replicates, −1 for none.
+Noise estimate_noise(const std::vector<NoiseShape>& shapes, const std::vector<Eigen::VectorXd>& residual, const std::vector<int>& group,
+                     double sensor_sd);
+
+}  // namespace palpate::loop

@@ -1,0 +1,47 @@
+// Which numbers a fit may move.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/methods/parameters.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::loop {
+
+double FitParameter::coordinate() const { return logarithmic ? std::log(*value) : *value; }
+void FitParameter::set_coordinate(double x) { *value = std::clamp(logarithmic ? std::exp(std::clamp(x, -60.0, 60.0)) : x, low, high); }
+
+namespace {
+
+void add_effect(Active& active, std::vector<FitParameter>& list) {
+  const auto& entry = active.effect->entry;
+  const Parameter& amplitude = entry.parameters[0];
+  list.push_back({entry.name + "." + amplitude.name, amplitude.unit, &active.amplitude, amplitude.range.min, amplitude.range.max, false,
+                  1e-3 * amplitude.typical});
+  if (!active.effect->refines) return;
+  for (std::size_t i = 0; i < active.shape.size(); ++i) {
+    const Parameter& p = entry.parameters[i + 1];
+    list.push_back({entry.name + "." + p.name, p.unit, &active.shape[i], p.range.min, p.range.max, true, 1e-3});
+  }
+}
+
+}  // namespace
+
+std::vector<FitParameter> fit_parameters(Model& model, const Set& set) {
+  std::vector<FitParameter> list;
+  for (std::size_t i = 0; i < model.law->parameters.size(); ++i) {
+    const Parameter& p = model.law->parameters[i];
+    list.push_back({p.name, p.unit, &model.parameters[i], p.range.min, p.range.max, true, 1e-3});
+  }
+  if (std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.zero == "tool_start"; })) {
+    double sd = 0;
+    for (const Run& r : set.runs) sd = std::max(sd, r.zero_sd_mm);
+    list.push_back({"zero", "mm", &model.zero_mm, -50, 50, false, 1e-3, 0, sd});
+  }
+  if (set.gain.state == Known::State::prior) list.push_back({"rig.gain", "1", &model.gain, -0.5, 0.5, false, 1e-4, set.gain.value - 1, set.gain.sd});
+  if (set.compliance_mm_per_N.state == Known::State::prior)
+    list.push_back({"rig.compliance", "mm/N", &model.compliance_mm_per_N, 0, 10, false, 1e-4, set.compliance_mm_per_N.value, set.compliance_mm_per_N.sd});
+  for (Active& active : model.active) add_effect(active, list);
+  return list;
+}
+
+}  // namespace palpate::loop

@@ -1,0 +1,140 @@
+// Residuals, tangents by differences, damped Gauss–Newton.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/methods/problem.hpp>
+
+#include <cmath>
+
+namespace palpate::loop {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+int blocks_of(const Problem& p) {
+  int count = 0;
+  for (std::size_t run : p.runs) count += p.forward->blocks(run);
+  return count;
+}
+
+/// f of all runs.
+VectorXd predicted(const Problem& p, const Model& model) {
+  VectorXd f(blocks_of(p));
+  int at = 0;
+  for (std::size_t run : p.runs) {
+    const int n = p.forward->blocks(run);
+    f.segment(at, n) = p.forward->predicted(run, model);
+    at += n;
+  }
+  return f;
+}
+
+double series_compliance(const Model& model) {
+  double c = model.compliance_mm_per_N;
+  for (const Active& a : model.active)
+    if (a.effect->compliance) c += a.effect->compliance(a.amplitude);
+  return c;
+}
+
+/// Rows behind the data: priors, then the block. Values are (observed − modelled)/sd.
+std::vector<double> further_rows(const Problem& p, const Model& model, const std::vector<FitParameter>& parameters) {
+  std::vector<double> rows;
+  for (const FitParameter& q : parameters)
+    if (q.prior_sd > 0) rows.push_back((q.prior - *q.value) / q.prior_sd);
+  if (p.block_compliance_sd > 0) rows.push_back((p.block_compliance - series_compliance(model)) / p.block_compliance_sd);
+  return rows;
+}
+
+VectorXd vector_of(const std::vector<double>& values) { return Eigen::Map<const VectorXd>(values.data(), values.size()); }
+
+}  // namespace
+
+MatrixXd whitened(const Problem& p, const std::vector<Whitener>& whiteners, const Stacked& columns) {
+  MatrixXd all(columns.data.rows() + columns.rows.rows(), columns.data.cols());
+  all << columns.data, columns.rows;
+  int at = 0;
+  for (std::size_t i = 0; i < p.runs.size(); ++i) {
+    const int n = p.forward->blocks(p.runs[i]);
+    whiteners[i].whiten(all.middleRows(at, n));
+    at += n;
+  }
+  return all;
+}
+
+Stacked residual(const Problem& p, Model& model) {
+  VectorXd y(blocks_of(p));
+  int at = 0;
+  for (std::size_t run : p.runs) {
+    const int n = p.forward->blocks(run);
+    y.segment(at, n) = p.forward->measured(run);
+    at += n;
+  }
+  return {y - predicted(p, model), vector_of(further_rows(p, model, fit_parameters(model, p.forward->set())))};
+}
+
+Stacked tangents(const Problem& p, Model& model) {
+  auto parameters = fit_parameters(model, p.forward->set());
+  const VectorXd f = predicted(p, model);
+  const VectorXd rows = vector_of(further_rows(p, model, parameters));
+  Stacked T{MatrixXd(f.size(), parameters.size()), MatrixXd(rows.size(), parameters.size())};
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    FitParameter& q = parameters[j];
+    const double value = *q.value, x = q.coordinate();
+    q.set_coordinate(x + q.step);
+    if (std::abs(q.coordinate() - x) < 0.5 * q.step) q.set_coordinate(x - q.step);  // at its upper bound
+    const double moved = q.coordinate() - x;
+    T.data.col(j) = (predicted(p, model) - f) / moved;
+    T.rows.col(j) = (rows - vector_of(further_rows(p, model, parameters))) / moved;
+    *q.value = value;
+  }
+  return T;
+}
+
+Stacked secant(const Problem& p, Model& model, const Effect& effect, double amplitude, const std::vector<double>& shape) {
+  const auto rows = further_rows(p, model, fit_parameters(model, p.forward->set()));
+  Model with = model;
+  with.active.push_back({&effect, amplitude, shape});
+  Stacked s{(predicted(p, with) - predicted(p, model)) / amplitude, MatrixXd::Zero(rows.size(), 1)};
+  if (p.block_compliance_sd > 0)
+    s.rows(s.rows.rows() - 1, 0) = (series_compliance(with) - series_compliance(model)) / amplitude / p.block_compliance_sd;
+  return s;
+}
+
+Fit fitted(const Problem& p, Model start) {
+  Fit fit{std::move(start), 0, {}, false};
+  VectorXd r = whitened(p, p.whiteners, residual(p, fit.model));
+  fit.chi2 = r.squaredNorm();
+  double damping = 1e-3;
+  MatrixXd N;
+  for (int iteration = 0; iteration < 25 && !fit.converged; ++iteration) {
+    const MatrixXd T = whitened(p, p.whiteners, tangents(p, fit.model));
+    N = T.transpose() * T;
+    const VectorXd g = T.transpose() * r;
+    for (int attempt = 0; attempt < 8; ++attempt) {
+      MatrixXd damped = N;
+      damped.diagonal() += damping * (N.diagonal().array() + 1e-12).matrix();
+      const VectorXd step = damped.ldlt().solve(g);
+      Model trial = fit.model;
+      auto parameters = fit_parameters(trial, p.forward->set());
+      for (std::size_t j = 0; j < parameters.size(); ++j) {
+        const double most = parameters[j].logarithmic ? 1.5 : 1e300;
+        parameters[j].set_coordinate(parameters[j].coordinate() + std::clamp(step(j), -most, most));
+      }
+      const VectorXd r_trial = whitened(p, p.whiteners, residual(p, trial));
+      const double chi2 = r_trial.squaredNorm();
+      if (chi2 < fit.chi2) {
+        fit.converged = fit.chi2 - chi2 < 1e-4 * std::max(1.0, 1e-3 * chi2);
+        fit.model = trial;
+        fit.chi2 = chi2;
+        r = r_trial;
+        damping = std::max(damping * 0.2, 1e-9);
+        break;
+      }
+      damping *= 6;
+      if (attempt == 7) fit.converged = true;
+    }
+  }
+  fit.covariance = (N + 1e-12 * MatrixXd(N.diagonal().asDiagonal()) + 1e-300 * MatrixXd::Identity(N.rows(), N.cols())).inverse();
+  return fit;
+}
+
+}  // namespace palpate::loop

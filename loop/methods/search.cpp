@@ -1,0 +1,270 @@
+// Forward search over the catalogue.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/methods/search.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <loop/methods/thresholds.hpp>
+
+namespace palpate::loop {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+std::string kind_name(VerdictKind kind) {
+  static const char* names[] = {"claimed", "confounded", "unexplained", "nothing_supported", "ranking_only"};
+  return names[static_cast<int>(kind)];
+}
+
+namespace {
+
+std::vector<int> lengths_of(const Session& s) {
+  std::vector<int> lengths;
+  for (std::size_t run : s.problem.runs) lengths.push_back(s.forward->blocks(run));
+  return lengths;
+}
+
+/// The linear picture around a model.
+struct Linear {
+  Stacked T, S;
+  MatrixXd whitened_S;
+  Scores scores;
+  std::vector<Column> columns;
+};
+
+bool is_active(const Model& model, const Effect* effect) {
+  return std::any_of(model.active.begin(), model.active.end(), [&](const Active& a) { return a.effect == effect && !effect->repeats; });
+}
+
+Linear linear(Session& s, Model& model, const std::vector<Candidate>& candidates) {
+  Linear l;
+  for (const Column& c : columns_of(candidates))
+    if (!is_active(model, candidates[c.candidate].effect)) l.columns.push_back(c);
+  l.T = tangents(s.problem, model);
+  l.S = secants(s.problem, model, candidates, l.columns);
+  l.whitened_S = whitened(s.problem, s.problem.whiteners, l.S);
+  l.scores = score(whitened(s.problem, s.problem.whiteners, l.T), l.whitened_S, whitened(s.problem, s.problem.whiteners, residual(s.problem, model)),
+                   candidates, l.columns, lengths_of(s));
+  return l;
+}
+
+Fit refit_with(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape, double amplitude) {
+  const Range& range = c.effect->entry.parameters[0].range;
+  Model with = model;
+  with.active.push_back({c.effect, std::clamp(amplitude, range.min, range.max), shape});
+  return fitted(s.problem, with);
+}
+
+/// The best column's refit; a second start at the secant's amplitude, for effects whose derivative at zero means little.
+Fit best_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column) {
+  const auto& shape = c.grid[l.columns[column].grid];
+  const double e = l.scores.z[column] / l.scores.norm[column];
+  Fit fit = refit_with(s, model, c, shape, e);
+  Fit other = refit_with(s, model, c, shape, std::copysign(c.probe, e));
+  return other.chi2 < fit.chi2 ? other : fit;
+}
+
+/// Which candidates are refitted: the best by score, every instrument, and whatever looks like the best.
+std::vector<int> worth_refitting(const Linear& l, const std::vector<Candidate>& candidates) {
+  std::vector<int> order;
+  for (int c = 0; c < static_cast<int>(candidates.size()); ++c)
+    if (l.scores.best[c] >= 0) order.push_back(c);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return l.scores.lambda[a] > l.scores.lambda[b]; });
+  std::vector<int> chosen;
+  for (int i = 0; i < static_cast<int>(order.size()); ++i) {
+    const bool instrument = candidates[order[i]].effect->entry.kind == "instrument";
+    const double cosine = std::abs(l.scores.directions.col(l.scores.best[order[i]]).dot(l.scores.directions.col(l.scores.best[order[0]])));
+    if (i < thresholds::refitted || instrument || cosine > 0.9) chosen.push_back(order[i]);
+  }
+  return chosen;
+}
+
+std::vector<Tried> try_all(Session& s, Fit& current, const Linear& l, const std::vector<Candidate>& candidates, const NullDistribution* null) {
+  std::vector<Tried> tried;
+  const auto chosen = worth_refitting(l, candidates);
+  for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
+    if (!candidates[c].pruned.empty() || is_active(current.model, candidates[c].effect)) continue;
+    Tried t;
+    t.candidate = c;
+    const int column = l.scores.best[c];
+    t.lambda_linear = l.scores.lambda[c];
+    t.z = column >= 0 ? l.scores.z[column] : 0;
+    t.reason = column >= 0 ? "little gain" : "wrong sign, or no signature of its own";
+    if (std::find(chosen.begin(), chosen.end(), c) != chosen.end()) {
+      t.refitted = true;
+      t.fit = best_refit(s, current.model, candidates[c], l, column);
+      t.lambda = std::max(0.0, current.chi2 - t.fit.chi2);
+      if (null) t.p = null->p(c, t.lambda);
+    }
+    tried.push_back(std::move(t));
+  }
+  std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return std::pair(a.refitted, a.lambda) > std::pair(b.refitted, b.lambda); });
+  return tried;
+}
+
+NullDistribution nulls(Session& s, const Linear& l, const std::vector<Candidate>& candidates, int count, std::uint64_t seed) {
+  NullProblem null{&s.problem, &l.T, &l.S, &candidates, &l.columns, &s.shapes, &s.group, s.noise};
+  return null_distribution(null, count, seed);
+}
+
+/// Share by which the leave-one-run-out excess falls.
+double fall_of(const Session& s, double before, const Model& after) {
+  const double excess = left_out_excess(s.problem, after);
+  return before > 0 ? 1 - std::max(excess, 0.0) / before : 0;
+}
+
+/// The best candidate that passes threshold and relevance; −1: none. Writes the reasons.
+int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
+  double before = std::numeric_limits<double>::quiet_NaN();
+  int taken = -1;
+  for (int i = 0; i < static_cast<int>(tried.size()); ++i) {
+    Tried& t = tried[i];
+    if (!t.refitted) continue;
+    if (can_claim && !(t.p < threshold_p)) {
+      t.reason = "p above the threshold of this protocol";
+      continue;
+    }
+    if (taken >= 0) {
+      t.reason = "fits less well than the one taken";
+      continue;
+    }
+    if (!can_claim && !(t.lambda > thresholds::relevance * current.chi2 && t.lambda > 2 * thresholds::alternative)) continue;
+    if (std::isnan(before)) before = left_out_excess(s.problem, current.model);
+    if (std::isnan(before)) {  // one run: nothing can be left out
+      t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      t.left_out_fall = fall_of(s, before, t.fit.model);
+      if (!(t.left_out_fall >= thresholds::relevance)) {
+        t.reason = "runs left out are not predicted better";
+        continue;
+      }
+    }
+    t.reason = "taken";
+    taken = i;
+  }
+  return taken;
+}
+
+/// Each name once.
+std::vector<std::string> names_of(const Model& model) {
+  std::vector<std::string> names;
+  for (const Active& a : model.active)
+    if (std::find(names.begin(), names.end(), a.effect->entry.name) == names.end()) names.push_back(a.effect->entry.name);
+  return names;
+}
+
+/// Effects that a later one has made needless go again.
+void delete_needless(Session& s, Fit& current, const std::vector<Candidate>& candidates, const NullDistribution& null) {
+  for (std::size_t i = 0; current.model.active.size() > 1 && i < current.model.active.size();) {
+    Model without = current.model;
+    without.active.erase(without.active.begin() + i);
+    Fit fit = fitted(s.problem, without);
+    int c = 0;
+    while (candidates[c].effect != current.model.active[i].effect) ++c;
+    if (null.p(c, std::max(0.0, fit.chi2 - current.chi2)) < null.threshold_p) {
+      ++i;
+    } else {
+      current = std::move(fit);
+      i = 0;
+    }
+  }
+}
+
+/// Every active effect is exchanged for every other; a better exchange becomes the model, near ones become alternatives.
+void exchange(Session& s, Finding& f) {
+  std::vector<std::pair<double, std::vector<std::string>>> sets = {{0, names_of(f.final.model)}};
+  for (std::size_t i = 0; i < f.final.model.active.size(); ++i) {
+    Model without = f.final.model;
+    const Active own = without.active[i];
+    without.active.erase(without.active.begin() + i);
+    Fit base = fitted(s.problem, without);
+    const Linear l = linear(s, base.model, f.candidates);
+    for (int c : worth_refitting(l, f.candidates)) {
+      if (f.candidates[c].effect == own.effect) continue;
+      Fit fit = best_refit(s, base.model, f.candidates[c], l, l.scores.best[c]);
+      const double behind = 0.5 * (fit.chi2 - f.final.chi2);
+      if (behind > thresholds::alternative) continue;
+      auto names = names_of(fit.model);
+      if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
+      if (behind < -0.05) {
+        const double shift = behind;
+        f.final = std::move(fit);
+        for (auto& set : sets) set.first -= shift;
+      }
+    }
+  }
+  std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [behind, names] : sets)
+    if (behind <= thresholds::alternative) {
+      f.alternatives.push_back(names);
+      f.alternative_distance.push_back(behind);
+    }
+}
+
+VerdictKind judged(const Finding& f, bool can_claim) {
+  if (!can_claim) return VerdictKind::ranking_only;
+  const bool structured = f.structure_after > f.structure_limit;
+  const double expected = f.structure_limit / 1.3;  // about its mean under the null
+  const double left = (f.structure_after - expected) / std::max(f.structure_before - expected, 1e-300);
+  if (f.final.model.active.empty()) return structured ? VerdictKind::unexplained : VerdictKind::nothing_supported;
+  if (structured && left > thresholds::unexplained_share) return VerdictKind::unexplained;
+  return f.alternatives.size() > 1 ? VerdictKind::confounded : VerdictKind::claimed;
+}
+
+}  // namespace
+
+std::vector<BlindSpot> blind_spots(Session& s, const std::vector<Candidate>& candidates) {
+  const Linear l = linear(s, s.null.model, candidates);
+  std::vector<BlindSpot> spots;
+  std::vector<int> strongest(candidates.size(), -1);
+  for (int j = 0; j < static_cast<int>(l.columns.size()); ++j) {
+    int& best = strongest[l.columns[j].candidate];
+    if (best < 0 || l.scores.norm[j] > l.scores.norm[best]) best = j;
+  }
+  for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
+    if (strongest[c] < 0) continue;
+    BlindSpot spot{c, std::numeric_limits<double>::infinity(), false, {}};
+    if (l.scores.norm[strongest[c]] > 0) spot.smallest_visible = thresholds::visible / l.scores.norm[strongest[c]];
+    spot.visible = spot.smallest_visible <= candidates[c].largest();
+    for (int other = 0; other < static_cast<int>(candidates.size()); ++other)
+      if (other != c && strongest[other] >= 0 &&
+          std::abs(l.scores.directions.col(strongest[c]).dot(l.scores.directions.col(strongest[other]))) > thresholds::confounded_cosine)
+        spot.like.push_back(other);
+    spots.push_back(spot);
+  }
+  return spots;
+}
+
+Finding search(Session& s, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark) {
+  Finding f;
+  f.candidates = candidates_of(*s.set);
+  f.blind_spots = blind_spots(s, f.candidates);
+  f.final = s.null;
+  const bool can_claim = s.noise.replicate_degrees > 0;
+  NullDistribution null;
+  for (int step = 0;; ++step) {
+    remark("step " + std::to_string(step + 1) + ": scores" + (can_claim ? " and nulls" : ""));
+    const Linear l = linear(s, f.final.model, f.candidates);
+    if (can_claim) null = nulls(s, l, f.candidates, null_sets, seed + step);
+    (step == 0 ? f.structure_before : f.structure_after) = l.scores.structure;
+    f.structure_after = l.scores.structure;
+    f.structure_limit = null.structure_limit;
+    if (step == 0) f.threshold_p = null.threshold_p;
+    if (step == thresholds::most_effects) break;
+    remark("step " + std::to_string(step + 1) + ": refits");
+    f.steps.push_back(try_all(s, f.final, l, f.candidates, can_claim ? &null : nullptr));
+    const int taken = chosen(s, f.final, f.steps.back(), null.threshold_p, can_claim);
+    if (taken < 0) break;
+    f.final = f.steps.back()[taken].fit;
+    if (can_claim) delete_needless(s, f.final, f.candidates, null);
+  }
+  remark("alternatives");
+  if (!f.final.model.active.empty()) exchange(s, f);
+  f.kind = judged(f, can_claim);
+  f.reported_before = with_equal_weights(s, s.null.model);
+  f.reported_after = with_equal_weights(s, f.final.model);
+  return f;
+}
+
+}  // namespace palpate::loop

@@ -1,0 +1,231 @@
+// Preparing a set: crude weights, null fit, noise, null fit again.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/methods/session.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <palpate/errors.hpp>
+#include <loop/forward/register.hpp>
+
+namespace palpate::loop {
+
+using Eigen::VectorXd;
+
+Model start_model(const Set& set, const std::string& law) {
+  Model model;
+  model.law = &law_named(law);
+  for (const Parameter& p : model.law->parameters) {
+    const auto given = set.specimen.parameters.find(p.name);
+    model.parameters.push_back(given == set.specimen.parameters.end() ? p.typical : std::clamp(given->second, p.range.min, p.range.max));
+  }
+  if (set.compliance_mm_per_N.state == Known::State::given || set.compliance_mm_per_N.state == Known::State::prior)
+    model.compliance_mm_per_N = set.compliance_mm_per_N.value;
+  if (set.gain.state == Known::State::given || set.gain.state == Known::State::prior) model.gain = set.gain.value - 1;
+  return model;
+}
+
+namespace {
+
+double sensor_sd_of(const Set& set, std::string& source) {
+  if (set.sensor_sd_N.state == Known::State::given) {
+    source = "given";
+    return set.sensor_sd_N.value;
+  }
+  std::vector<double> air, all;
+  double largest = 0;
+  for (const Run& run : set.runs) {
+    if (run.role != Role::holdout) (run.is_air() ? air : all).push_back(fast_sd(run.F));
+    for (double F : run.F) largest = std::max(largest, std::abs(F));
+  }
+  source = air.empty() ? "fast fluctuations of all runs" : "air";
+  std::vector<double>& of = air.empty() ? all : air;
+  std::nth_element(of.begin(), of.begin() + of.size() / 2, of.end());
+  return std::max(of[of.size() / 2], 1e-5 * largest);
+}
+
+/// Weights before anything is known of the noise: 2 % of the run's largest force for every block, and 2 % of gain.
+Noise crude_noise(double sensor_sd) {
+  Noise noise;
+  noise.sensor_sd = sensor_sd;
+  noise.scatter = 0.02;
+  noise.sd[0] = 0.02;
+  return noise;
+}
+
+/// dF/du of each block, from a shift of the depth.
+VectorXd slope_of(const Forward& forward, std::size_t run, const Model& model, double depth_scale) {
+  static const Effect shift = [] {
+    Effect effect;
+    effect.entry.parameters = {{"shift", "mm", {}, 1, "shift"}};
+    effect.depth = [](const Run&, double e, std::span<const double>, Path& depth) {
+      for (double& d : depth) d += e;
+    };
+    return effect;
+  }();
+  Model moved = model;
+  const double step = 1e-3 * depth_scale;
+  moved.active.push_back({&shift, step, {}});
+  return (forward.predicted(run, moved) - forward.predicted(run, model)) / step;
+}
+
+/// The modulus that fits best for the rest as it is; every law is linear in its moduli together.
+void scale_moduli(const Problem& p, Model& model) {
+  const Set& set = p.forward->set();
+  double fy = 0, ff = 0;
+  for (std::size_t run : p.runs) {
+    if (set.runs[run].is_air()) continue;
+    const VectorXd f = p.forward->predicted(run, model), y = p.forward->measured(run);
+    fy += f.dot(y);
+    ff += f.squaredNorm();
+  }
+  if (!(fy > 0) || !(ff > 0)) return;
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const Parameter& parameter = model.law->parameters[i];
+    if (parameter.unit == "MPa") model.parameters[i] = std::clamp(model.parameters[i] * fy / ff, parameter.range.min, parameter.range.max);
+  }
+}
+
+/// Several starts: as it stands, and a factor of 4 up and down in every parameter but the moduli, which are scaled.
+Fit best_fit(const Problem& p, const Model& start) {
+  Fit best;
+  best.chi2 = std::numeric_limits<double>::infinity();
+  for (double factor : {1.0, 0.25, 4.0}) {
+    Model model = start;
+    bool other = factor == 1.0;
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+      const Parameter& parameter = model.law->parameters[i];
+      if (parameter.unit == "MPa" && i == 0) continue;
+      model.parameters[i] = std::clamp(model.parameters[i] * factor, parameter.range.min, parameter.range.max);
+      other = true;
+    }
+    if (!other) continue;
+    scale_moduli(p, model);
+    Fit fit = fitted(p, model);
+    if (fit.chi2 < best.chi2) best = std::move(fit);
+  }
+  return best;
+}
+
+/// A block run: u = c F by least squares through the first sample; 2 % of the slope, or what its scatter says, as its deviation.
+void add_block(const Set& set, Problem& p) {
+  for (const Run& run : set.runs) {
+    if (!run.is_block()) continue;
+    double FF = 0, uF = 0, left = 0;
+    for (std::size_t i = 0; i < run.u.size(); ++i) {
+      FF += run.F[i] * run.F[i];
+      uF += (run.u[i] - run.u[0]) * run.F[i];
+    }
+    if (!(FF > 0)) continue;
+    p.block_compliance = std::max(uF / FF, 0.0);
+    for (std::size_t i = 0; i < run.u.size(); ++i) left += std::pow(run.u[i] - run.u[0] - p.block_compliance * run.F[i], 2);
+    p.block_compliance_sd = std::max({std::sqrt(left / FF / run.u.size()), 0.02 * p.block_compliance, 1e-5});
+  }
+}
+
+void choose_runs(Session& s) {
+  std::map<std::string, int> groups;
+  for (std::size_t i = 0; i < s.set->runs.size(); ++i) {
+    const Run& run = s.set->runs[i];
+    if (run.role != Role::fit && !run.is_air()) continue;
+    s.problem.runs.push_back(i);
+    s.group.push_back(run.replicate.empty() ? -1 : groups.try_emplace(run.replicate, static_cast<int>(groups.size())).first->second);
+  }
+  if (std::none_of(s.set->runs.begin(), s.set->runs.end(), [](const Run& r) { return r.role == Role::fit; }))
+    throw Failure(ExitCode::refused, "no run to fit", s.set->file.string(), "role = \"fit\" for at least one run");
+}
+
+void set_noise(Session& s, const Noise& noise) {
+  s.noise = noise;
+  s.problem.whiteners.clear();
+  for (const NoiseShape& shape : s.shapes) s.problem.whiteners.emplace_back(shape, noise);
+}
+
+void shape_noise(Session& s, const Model& model) {
+  s.shapes.clear();
+  for (std::size_t run : s.problem.runs)
+    s.shapes.push_back(noise_shape(*s.forward, run, slope_of(*s.forward, run, model, s.depth_scale_mm), s.depth_scale_mm));
+}
+
+void choose_law(Session& s) {
+  for (const Law& law : laws()) {
+    if (law.parameters.size() > 2 || law.name == "hooke_linear") continue;
+    const Fit fit = best_fit(s.problem, start_model(*s.set, law.name));
+    const double excess = left_out_excess(s.problem, fit.model);
+    s.laws.push_back({law.name, std::isnan(excess) ? fit.chi2 + 2 * law.parameters.size() : excess});
+  }
+}
+
+}  // namespace
+
+Session prepared(const Set& set) {
+  Session s;
+  s.set = &set;
+  s.forward = std::make_unique<Forward>(set);
+  s.problem.forward = s.forward.get();
+  choose_runs(s);
+  add_block(set, s.problem);
+  double deepest = 0;
+  for (const Run& run : set.runs)
+    if (run.test == Test::indentation && run.role == Role::fit) deepest = std::max(deepest, *std::max_element(run.u.begin(), run.u.end()));
+  s.depth_scale_mm = deepest > 0 ? deepest : 1;
+  const double sensor_sd = sensor_sd_of(set, s.sensor_source);
+  std::string law = set.specimen.law == "unknown" ? "neo_hookean" : set.specimen.law;
+  for (int round = 0; round < 2; ++round) {  // the second round knows the noise's directions at a fitted model
+    const Model start = round == 0 ? start_model(set, law) : s.null.model;
+    if (round == 0) {
+      shape_noise(s, start);
+      set_noise(s, crude_noise(sensor_sd));
+      if (set.specimen.law == "unknown") {
+        choose_law(s);
+        law = std::min_element(s.laws.begin(), s.laws.end(), [](const auto& a, const auto& b) { return a.left_out_error < b.left_out_error; })->law;
+      }
+    }
+    s.null = best_fit(s.problem, round == 0 ? start_model(set, law) : start);
+    shape_noise(s, s.null.model);
+    const Stacked left = residual(s.problem, s.null.model);
+    std::vector<VectorXd> of_run;
+    int at = 0;
+    for (std::size_t run : s.problem.runs) {
+      of_run.push_back(left.data.col(0).segment(at, s.forward->blocks(run)));
+      at += s.forward->blocks(run);
+    }
+    set_noise(s, estimate_noise(s.shapes, of_run, s.group, sensor_sd));
+  }
+  s.null = best_fit(s.problem, s.null.model);
+  return s;
+}
+
+Model with_equal_weights(const Session& s, const Model& model) {
+  Problem p = s.problem;
+  p.whiteners.clear();
+  Noise equal;
+  equal.scatter = 0.02;
+  for (const NoiseShape& shape : s.shapes) p.whiteners.emplace_back(shape, equal);
+  return fitted(p, model).model;
+}
+
+double chi2_of_run(const Problem& p, std::size_t index, const Model& model) {
+  Eigen::MatrixXd r = p.forward->measured(p.runs[index]) - p.forward->predicted(p.runs[index], model);
+  p.whiteners[index].whiten(r);
+  return r.squaredNorm();
+}
+
+double left_out_excess(const Problem& p, const Model& model) {
+  const Set& set = p.forward->set();
+  double excess = 0;
+  int left_out = 0;
+  for (std::size_t i = 0; i < p.runs.size(); ++i) {
+    if (set.runs[p.runs[i]].role != Role::fit) continue;
+    Problem without = p;
+    without.runs.erase(without.runs.begin() + i);
+    without.whiteners.erase(without.whiteners.begin() + i);
+    if (std::none_of(without.runs.begin(), without.runs.end(), [&](std::size_t r) { return set.runs[r].role == Role::fit; })) break;
+    excess += chi2_of_run(p, i, fitted(without, model).model) - p.forward->blocks(p.runs[i]);
+    ++left_out;
+  }
+  return left_out > 0 ? excess : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace palpate::loop

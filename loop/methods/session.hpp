@@ -1,0 +1,45 @@
+// A set made ready: forward model, noise from replicates and air, the null model fitted.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <memory>
+
+#include <loop/methods/candidates.hpp>
+
+namespace palpate::loop {
+
+/// A law tried for law = "unknown": what it missed of runs left out.
+struct LawTried {
+  std::string law;
+  double left_out_error = 0;
+};
+
+struct Session {
+  const Set* set = nullptr;
+  std::unique_ptr<Forward> forward;
+  Problem problem;
+  std::vector<NoiseShape> shapes;
+  std::vector<int> group;        ///< replicate group of each run of the problem; −1: none
+  Noise noise;
+  std::string sensor_source;     ///< where the sensor's noise comes from
+  std::vector<LawTried> laws;    ///< tried, when the law was unknown
+  Fit null;
+  double depth_scale_mm = 1;
+};
+
+/// A model at its start: law and the parameters the set gives, else its typical ones.
+Model start_model(const Set& set, const std::string& law);
+
+/// Throws Failure(refused) when there is no run to fit.
+Session prepared(const Set& set);
+
+/// The model fitted once more with every block of a run weighing the same: what it can do for the error in N.
+Model with_equal_weights(const Session& session, const Model& model);
+
+/// Sum over the runs left out in turn of (whitened squares − blocks), every model fitted anew without the run. NaN for one run.
+double left_out_excess(const Problem& problem, const Model& model);
+
+/// Whitened squares of one run that was not fitted.
+double chi2_of_run(const Problem& problem, std::size_t index, const Model& model);
+
+}  // namespace palpate::loop

@@ -1,0 +1,29 @@
+// Every number the verdict hangs on, in one place; the report carries their hash.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include <palpate/json.hpp>
+
+namespace palpate::loop::thresholds {
+
+inline constexpr double level = 0.01;             ///< of the smallest p over the catalogue, under the null
+inline constexpr int null_sets = 1000;            ///< bootstrapped nulls per step
+inline constexpr double alternative = 4.6;        ///< Δℓ within which another explanation is not excluded
+inline constexpr double relevance = 0.2;          ///< fall of the leave-one-run-out excess error
+inline constexpr int most_effects = 3;
+inline constexpr int refitted = 6;                ///< best candidates that are refitted, besides instruments
+inline constexpr double confounded_cosine = 0.98; ///< of whitened tangents after projection: told apart by no data of this protocol
+inline constexpr double visible = 4;              ///< ‖P s‖ e below which the protocol cannot see an effect
+inline constexpr double unexplained_share = 0.1;  ///< of the null's excess misfit that may be left by a claimed effect
+inline constexpr double prior_weight = 1;         ///< pseudo-observations behind each variance of the noise
+inline constexpr double prior_gain_sd = 0.005;    ///< run-to-run, relative
+inline constexpr double prior_offset_sd = 0.002;  ///< run-to-run, relative to the deepest point
+inline constexpr double prior_drift_sd = 0.002;   ///< slow, relative to the run's largest force
+
+/// All of them, by name.
+Json as_json();
+/// Hash of as_json(), 16 hexadecimal digits (FNV-1a, Fowler, Noll and Vo 1991).
+std::string hash();
+
+}  // namespace palpate::loop::thresholds

@@ -1,0 +1,143 @@
+// palpate-loop: from measurement back to parameters and to the effect the model lacks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <palpate/command.hpp>
+#include <palpate/nearest.hpp>
+#include <palpate/text_file.hpp>
+#include <loop/forward/register.hpp>
+#include <loop/methods/thresholds.hpp>
+#include <loop/report/report.hpp>
+
+#include <chrono>
+
+using namespace palpate;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<CatalogueEntry> catalogue() {
+  std::vector<CatalogueEntry> entries;
+  for (const loop::Effect& effect : loop::all_effects()) {
+    entries.push_back(effect.entry);
+    entries.back().kind = "effect";
+    entries.back().sentence += effect.absent.empty() ? " (" + effect.entry.kind + ")" : " (" + effect.entry.kind + "; absent: " + effect.absent + ")";
+  }
+  return entries;
+}
+
+/// The set, or Failure(check_failed) with everything that is wrong with it.
+loop::Set sound_set(Command& c) {
+  loop::Set set = loop::read_set(c.input("set"));
+  for (const loop::Run& run : set.runs) c.add_input("run " + run.id, run.file);
+  if (!set.specimen.case_file.empty()) c.add_input("case", set.specimen.case_file);
+  const auto list = loop::faults(set);
+  std::string rest;
+  for (std::size_t i = 1; i < list.size(); ++i) rest += "\n  also:  " + list[i];
+  if (!list.empty())
+    throw Failure(ExitCode::check_failed, "the set is not fit for the loop: " + list.front().substr(list.front().find(": ") + 2),
+                  list.front().substr(0, list.front().find(": ")), rest.empty() ? "" : "correct this first" + rest);
+  return set;
+}
+
+void set_input(Usage& u) { u.input("set", "set.toml", "the measured set: specimen, rig, tools, runs and their CSV files"); }
+
+void usage_of_check(Usage& u) {
+  u.name = "check";
+  u.sentence = "Says in words what is wrong with a measured set or missing from it, by file and line.";
+  set_input(u);
+}
+void run_of_check(Command& c) {
+  const loop::Set set = sound_set(c);
+  std::size_t samples = 0;
+  for (const loop::Run& run : set.runs) samples += run.t.size();
+  for (const std::string& remark : loop::remarks(set)) c.print("remark: " + remark);
+  c.print("sound: " + std::to_string(set.runs.size()) + " runs, " + std::to_string(samples) + " samples");
+}
+
+void usage_of_noise(Usage& u) {
+  u.name = "noise";
+  u.sentence = "Prints the noise that replicates and air runs show, as JSON.";
+  set_input(u);
+}
+void run_of_noise(Command& c) {
+  const loop::Set set = sound_set(c);
+  c.print(loop::noise_json(loop::prepared(set)).dump(2));
+}
+
+void usage_of_blindspots(Usage& u) {
+  u.name = "blindspots";
+  u.sentence = "Prints what each effect could show with this protocol and what it cannot be told from, as JSON.";
+  set_input(u);
+}
+void run_of_blindspots(Command& c) {
+  const loop::Set set = sound_set(c);
+  loop::Session session = loop::prepared(set);
+  loop::Finding finding;
+  finding.candidates = loop::candidates_of(set);
+  finding.blind_spots = loop::blind_spots(session, finding.candidates);
+  c.print(loop::blind_spots_json(finding).dump(2));
+}
+
+void usage_of_fit(Usage& u) {
+  u.name = "fit";
+  u.sentence = "Fits the null model and prints its parameters, as JSON.";
+  set_input(u);
+}
+void run_of_fit(Command& c) {
+  const loop::Set set = sound_set(c);
+  const loop::Session session = loop::prepared(set);
+  c.print(loop::parameters_json(session, session.null).dump(2));
+}
+
+void usage_of_run(Usage& u) {
+  u.name = "run";
+  u.sentence = "Closes the loop: finds the residual, names the effect the model lacks, adds it, and reports the error before and after.";
+  u.details =
+      "Everything up to the verdict uses the runs with role = \"fit\"; then the sealed ones (role = \"holdout\") are opened once, and every\n"
+      "further look at them through the same folder is counted. The verdict is one of claimed, confounded, unexplained, nothing_supported,\n"
+      "ranking_only; the exit code is 0 for each.";
+  set_input(u);
+  u.output("result", "loop", "report.json, and curves.csv: every run measured, before and after", ArgumentKind::folder);
+  u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
+}
+
+int earlier_looks(const fs::path& result) {
+  const fs::path report = result / "report.json";
+  return fs::exists(report) ? read_json(report).value("sealed_looks", 0) : 0;
+}
+
+void run_of_run(Command& c) {
+  const auto start = std::chrono::steady_clock::now();
+  const loop::Set set = sound_set(c);
+  c.say("null model and noise");
+  loop::Session session = loop::prepared(set);
+  loop::Finding finding = loop::search(session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
+  Json report = loop::report_json(session, finding, earlier_looks(c.final_output("result")));
+  report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
+  report["solves"] = 0;
+  report["curve_evaluations"] = session.forward->evaluations();
+  report["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  write_json(c.output("result") / "report.json", report);
+  write_text(c.output("result") / "curves.csv", loop::curves_csv(session, finding));
+  c.note("verdict", report["verdict"]);
+  c.print(report["verdict"]["sentence"].get<std::string>());
+}
+
+int unknown(const std::string& word, const std::vector<std::string>&) {
+  throw Failure(ExitCode::misuse, "unknown command: " + word, "",
+                "did you mean " + nearest_name(word, {"check", "noise", "blindspots", "fit", "run", "--help", "--version", "--describe", "--xml", "--catalogue"}) +
+                    "? palpate-loop --help lists the commands");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Group group;
+  group.program = "palpate-loop";
+  group.sentence = "Finds what measured forces say that the model lacks, adds it, and tells the error before and after.";
+  group.details = "palpate-loop run set.toml loop does all of it; the other commands are its parts.";
+  group.catalogue = catalogue;
+  return run_group(argc, argv, group,
+                   {{usage_of_check, run_of_check}, {usage_of_noise, run_of_noise}, {usage_of_blindspots, run_of_blindspots},
+                    {usage_of_fit, run_of_fit}, {usage_of_run, run_of_run}},
+                   unknown);
+}

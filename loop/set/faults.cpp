@@ -1,0 +1,154 @@
+// What makes a set unfit: time, numbers, signs, gaps, runs mixed up, tools that cannot touch.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/set/set.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace palpate::loop {
+namespace {
+
+std::string at(const Run& run, std::size_t i) { return run.file.string() + ":" + std::to_string(run.line[i]) + ": "; }
+
+std::string number(double x) {
+  std::ostringstream out;
+  out.precision(4);
+  out << x;
+  return out.str();
+}
+
+/// NaN and time; false when the run is of no use for further checks.
+bool numbers_and_time(const Run& run, std::vector<std::string>& list) {
+  if (run.t.size() < 2) {
+    list.push_back(at(run, 0) + "one sample is no run; record the whole approach, load and hold");
+    return false;
+  }
+  for (std::size_t i = 0; i < run.t.size(); ++i)
+    if (!std::isfinite(run.t[i]) || !std::isfinite(run.u[i]) || !std::isfinite(run.F[i])) {
+      list.push_back(at(run, i) + "not a number (NaN or infinite); leave the row out");
+      return false;
+    }
+  for (std::size_t i = 1; i < run.t.size(); ++i)
+    if (!(run.t[i] > run.t[i - 1])) {
+      list.push_back(at(run, i) + "time does not increase: " + number(run.t[i]) + " s after " + number(run.t[i - 1]) + " s; sort the rows or split the file");
+      return false;
+    }
+  return true;
+}
+
+/// A step in time that is 20 times the usual one and stands alone (samples that thin out gradually are no gap).
+void gaps(const Run& run, std::vector<std::string>& list) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < run.t.size(); ++i) steps.push_back(run.t[i] - run.t[i - 1]);
+  if (!run.timed || steps.size() < 8) return;
+  std::vector<double> sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t i = 1; i + 1 < steps.size(); ++i)
+    if (steps[i] > 20 * usual && steps[i] > 5 * steps[i - 1] && steps[i] > 5 * steps[i + 1])
+      list.push_back(at(run, i + 1) + "a gap of " + number(steps[i]) + " s in time, where samples are " + number(usual) +
+                     " s apart; split the file there into two runs, or record again");
+}
+
+/// The force should rise with depth: flipped when it is mostly negative and falls while the tool goes in.
+void sign(const Run& run, std::vector<std::string>& list) {
+  if (run.is_air() || run.is_block()) return;
+  const double rest = run.test == Test::indentation || run.test == Test::simple_shear ? 0 : 1;
+  double together = 0, lowest = 0, highest = 0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < run.u.size(); ++i) {
+    together += (run.u[i] - rest) * run.F[i];
+    highest = std::max(highest, run.F[i]);
+    if (run.F[i] < lowest) {
+      lowest = run.F[i];
+      worst = i;
+    }
+  }
+  if (together < 0 && (run.test != Test::indentation || -lowest > 2 * highest))
+    list.push_back(at(run, worst) + "the force has its sign flipped: " + number(run.F[worst]) + " where the specimen resists; " +
+                   (run.test == Test::indentation ? "compression is positive" : "tension is positive"));
+}
+
+double measured_rate(const Run& run) {
+  std::vector<double> rates;
+  for (std::size_t i = 1; i < run.u.size(); ++i)
+    if (run.phase[i] == "load") rates.push_back((run.u[i] - run.u[i - 1]) / (run.t[i] - run.t[i - 1]));
+  if (rates.size() < 3) return 0;
+  std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
+  return rates[rates.size() / 2];
+}
+
+bool differs(double a, double b) { return a > 0 && b > 0 && std::abs(std::log(a / b)) > 0.4; }
+
+/// Rates that do not fit their files but fit each other's: swapped. Files with the same numbers: one copied over the other.
+void mixed_up(const Set& set, std::vector<std::string>& list) {
+  for (std::size_t i = 0; i < set.runs.size(); ++i) {
+    const Run& a = set.runs[i];
+    if (a.test != Test::indentation) continue;
+    const double of_a = measured_rate(a);
+    std::string other;
+    for (std::size_t j = 0; j < set.runs.size(); ++j) {
+      const Run& b = set.runs[j];
+      if (j > i && a.u == b.u && a.F == b.F) list.push_back(b.file.string() + ":1: holds the same numbers as " + a.file.string() + "; one was copied over the other");
+      if (j != i && differs(a.rate_mm_s, of_a) && differs(b.rate_mm_s, measured_rate(b)) && !differs(a.rate_mm_s, measured_rate(b))) other = b.id;
+    }
+    if (differs(a.rate_mm_s, of_a))
+      list.push_back(a.file.string() + ":1: run " + a.id + " should load at " + number(a.rate_mm_s) + " mm/s but does at " + number(of_a) +
+                     (other.empty() ? " mm/s; correct rate_mm_s" : " mm/s, as " + other + " should: the two runs are swapped"));
+  }
+}
+
+/// A simple shape stands on z = 0 around the axis z; a tool must meet it along its own axis.
+void touch(const Set& set, const Run& run, std::vector<std::string>& list) {
+  if (run.test != Test::indentation || run.is_air() || run.is_block()) return;
+  const double largest = *std::max_element(run.F.begin(), run.F.end());
+  if (!(largest > 0)) list.push_back(at(run, 0) + "the tool never touches: no force above zero; is it an air run (phase = air)?");
+  if (set.specimen.shape.empty()) return;
+  const double x = run.point_mm[0], y = run.point_mm[1], radius = set.tools.at(run.tool).radius_mm;
+  const bool box = set.specimen.shape == "block";
+  const double beyond = box ? std::max(std::abs(x) - set.specimen.size_mm[0] / 2, std::abs(y) - set.specimen.size_mm[1] / 2)
+                            : std::hypot(x, y) - set.specimen.size_mm[0] / 2;
+  if (beyond > radius)
+    list.push_back(set.file.string() + ": run " + run.id + ": the tool cannot touch the specimen there: point_mm lies " + number(beyond) +
+                   " mm outside its outline; point_mm is in the shape's own axes, the middle of its base at the origin");
+  else if (run.axis[2] > 0)
+    list.push_back(set.file.string() + ": run " + run.id + ": the tool moves away from the specimen; axis = [0, 0, -1] presses down");
+}
+
+}  // namespace
+
+std::vector<std::string> faults(const Set& set) {
+  std::vector<std::string> list;
+  bool sound = true;
+  for (const Run& run : set.runs) {
+    const bool fit = numbers_and_time(run, list);
+    sound = sound && fit;
+    if (!fit) continue;
+    gaps(run, list);
+    sign(run, list);
+    touch(set, run, list);
+  }
+  if (sound) mixed_up(set, list);
+  return list;
+}
+
+std::vector<std::string> remarks(const Set& set) {
+  std::vector<std::string> list;
+  std::map<std::string, int> groups;
+  int air = 0, sealed = 0, fit = 0;
+  for (const Run& run : set.runs) {
+    if (!run.replicate.empty() && run.role == Role::fit) ++groups[run.replicate];
+    air += run.is_air();
+    sealed += run.role == Role::holdout;
+    fit += run.role == Role::fit;
+  }
+  if (std::none_of(groups.begin(), groups.end(), [](const auto& g) { return g.second > 1; }))
+    list.push_back("no replicates: the loop can rank effects but claims none; repeat a run and give both the same replicate");
+  if (air == 0 && set.sensor_sd_N.state != Known::State::given) list.push_back("no air run: the sensor's noise is taken from the runs' own fast fluctuations");
+  if (sealed == 0) list.push_back("no sealed run (role = \"holdout\"): error after is told on fit runs only");
+  if (fit == 0) list.push_back("no run to fit (role = \"fit\")");
+  return list;
+}
+
+}  // namespace palpate::loop

@@ -1,0 +1,84 @@
+// A measured set: specimen, rig, tools and runs, as set.toml and its CSV files say it (schema palpate-set/1).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <palpate/vec3.hpp>
+
+namespace palpate::loop {
+
+/// What a run is. The homogeneous tests come after the indentation.
+enum class Test { indentation, uniaxial, equibiaxial, pure_shear, simple_shear };
+
+/// A quantity of the rig: not mentioned, known, known with a standard deviation (a prior), or declared unknown (a candidate).
+struct Known {
+  enum class State { absent, given, prior, unknown } state = State::absent;
+  double value = 0, sd = 0;
+  bool is_candidate() const { return state == State::absent || state == State::unknown; }
+};
+
+struct Tool {
+  std::string kind;  ///< ball or flat_punch for the closed forms; any tool of palpate-solve for a case
+  double radius_mm = 0;
+};
+
+struct Specimen {
+  std::string id;
+  std::filesystem::path case_file;  ///< empty: a simple shape, or homogeneous tests alone
+  std::string shape;                ///< block, cylinder, ellipsoid or empty
+  Vec3 size_mm{0, 0, 0};            ///< block: edges; cylinder: diameter, diameter, height; ellipsoid: axes
+  bool bonded = true;               ///< the base; false: it slides without friction
+  bool ring = false;                ///< the side is held by a ring
+  std::string law = "neo_hookean";  ///< the null; "unknown": chosen by leave-one-run-out error
+  std::map<std::string, double> parameters;  ///< start values that the set or its case gives
+};
+
+enum class Role { fit, holdout, calibration };
+
+/// One file of measurements. Indentation: u in mm into the tissue, F in N, compression positive. Homogeneous tests: u is the
+/// stretch (amount of shear for simple_shear), F the nominal stress in MPa, tension positive. Without a column t, t counts samples.
+struct Run {
+  std::string id, tool, zero = "geometry", replicate;
+  std::filesystem::path file;
+  Test test = Test::indentation;
+  Role role = Role::fit;
+  Vec3 point_mm{0, 0, 0}, axis{0, 0, -1};
+  double zero_force_N = 0;  ///< of zero = "first_contact_…N"
+  double zero_sd_mm = 0, rest_before_s = 0, rate_mm_s = 0;
+  double session_s = 0;  ///< time from the session's begin to the run's: earlier runs and rests, by `order`
+  int order = 0;
+  bool timed = true;
+  std::vector<double> t, u, F, Fx, Fy;
+  std::vector<std::string> phase;  ///< of each sample: as written, or derived from u
+  std::vector<int> cycle;
+  std::vector<int> line;           ///< of each sample, in the file
+  bool is_air() const { return !phase.empty() && phase.front() == "air"; }
+  bool is_block() const { return !phase.empty() && phase.front() == "block"; }
+};
+
+struct Set {
+  std::filesystem::path file;
+  Specimen specimen;
+  Known compliance_mm_per_N, gain;
+  double sync_error_s = 0;
+  Known sensor_sd_N;  ///< absent: from air
+  std::map<std::string, Tool> tools;
+  std::vector<Run> runs;
+};
+
+std::string test_name(Test test);
+
+/// Reads a set and its files. Throws Failure(misuse) for keys of set.toml, by line; Failure(unreadable) for a missing file, a missing
+/// column, a wrong unit or text where a number is due.
+Set read_set(const std::filesystem::path& path);
+
+/// Everything that makes the numbers unfit for the loop, in words, by file and line; empty when there is nothing.
+std::vector<std::string> faults(const Set& set);
+
+/// Things a person should know that do not stop the loop: no replicates, no air run, no sealed run.
+std::vector<std::string> remarks(const Set& set);
+
+}  // namespace palpate::loop

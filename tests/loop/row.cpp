@@ -1,0 +1,124 @@
+// The row of springs: the elastic curve itself, Lee and Radok's integral on loading, Ting's on unloading, JKR's pull-off, letting go.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <loop/forward/row.hpp>
+
+using namespace palpate::loop;
+
+namespace {
+
+constexpr double stiffness = 2.0, R = 5.0;  ///< F = k √R δ^1.5
+double hertz(double d) { return d > 0 ? stiffness * std::sqrt(R) * std::pow(d, 1.5) : 0; }
+
+Row hertz_row(const Tissue& tissue, double deepest, int count = 400) {
+  std::vector<double> depths, forces;
+  for (int i = 0; i <= count; ++i) {
+    depths.push_back(deepest * std::pow(i / double(count), 1.4));
+    forces.push_back(hertz(depths.back()));
+  }
+  return Row(springs_of(depths, forces), tissue, deepest, true);
+}
+
+/// Ramp at v to depth d and back.
+double depth_at(double t, double v, double d) { return t < d / v ? v * t : std::max(2 * d - v * t, 0.0); }
+
+}  // namespace
+
+TEST(Row, WithoutMemoryItIsTheElasticCurve) {
+  Row row = hertz_row(Tissue{}, 3);
+  for (double d : {0.5, 2.0, 3.0, 1.0, 0.2, -0.5}) EXPECT_TRUE(std::abs(row.advance(d, 0.1) - hertz(d)) <= 1e-3 * hertz(3)) << d;
+}
+
+/// F(t) = ∫₀^t₁ G(t − s) dF_el(δ(s)), ∫_t₁^t G(t − s) δ̇(s) ds = 0; t₁ = t while loading (Lee and Radok 1960; Ting 1966).
+TEST(Row, FollowsTingOnLoadingAndUnloading) {
+  const double g = 0.5, tau = 1.5, v = 1, deepest = 2;
+  Tissue tissue;
+  tissue.prony = {{g, tau}};
+  Row row = hertz_row(tissue, deepest);
+  const auto G = [&](double t) { return 1 - g + g * std::exp(-t / tau); };
+  const double dt = 0.002;
+  double peak = 0;
+  for (int i = 1; i * dt < 4; ++i) {
+    const double t = i * dt, force = row.advance(depth_at(t, v, deepest), dt);
+    peak = std::max(peak, force);
+    if (i % 150) continue;
+    double t1 = t;
+    if (t > deepest / v) {  // bisection for Ting's t₁ in the loading part
+      double low = 0, high = deepest / v;
+      const auto balance = [&](double from) {
+        double sum = 0;
+        for (int k = 0; k < 4000; ++k) {
+          const double s = from + (t - from) * (k + 0.5) / 4000;
+          sum += G(t - s) * (s < deepest / v ? v : -v) * (t - from) / 4000;
+        }
+        return sum;
+      };
+      for (int k = 0; k < 40; ++k) {
+        const double middle = 0.5 * (low + high);
+        (balance(middle) > 0 ? low : high) = middle;
+      }
+      t1 = balance(1e-9) < 0 ? 0 : low;
+    }
+    double exact = 0;
+    for (int k = 0; k < 4000; ++k) {
+      const double s = t1 * (k + 0.5) / 4000, ds = t1 / 4000;
+      exact += G(t - s) * 1.5 * stiffness * std::sqrt(R) * std::sqrt(v * s) * v * ds;
+    }
+    EXPECT_TRUE(std::abs(force - exact) <= 0.004 * peak) << "t = " << t << ", " << force << " against " << exact;
+  }
+}
+
+TEST(Row, HomogeneousRelaxationIsExact) {
+  Tissue tissue;
+  tissue.prony = {{0.4, 2.0}};
+  Row row({Spring{}}, tissue, 1, false);
+  row.advance(1.0, 1e-9);
+  double force = 0;
+  for (int i = 0; i < 30; ++i) force = row.advance(1.0, 0.1);
+  EXPECT_NEAR(force, 0.6 + 0.4 * std::exp(-1.5), 1e-7);
+}
+
+/// JKR: the largest pull on retraction is 3/2 π w R under load control, 5/6 of it is passed under displacement control at the edge of
+/// stability; the row, which is displacement controlled, must reach 3/2 π w R within its discretisation. (Johnson 1985, eq. 5.47)
+TEST(Row, AdhesionPullsAsJkrSays) {
+  const double modulus = 0.04;  // E*, F = 4/3 E* √R δ^1.5
+  std::vector<double> depths, forces;
+  for (int i = 0; i <= 2000; ++i) {
+    depths.push_back(2.0 * i / 2000);
+    forces.push_back(4.0 / 3 * modulus * std::sqrt(R) * std::pow(depths.back(), 1.5));
+  }
+  auto springs = springs_of(depths, forces);
+  const double work = 0.5;  // J/m²
+  add_adhesion(springs, work, modulus);
+  Tissue tissue;
+  Row row(springs, tissue, 2, true);
+  row.advance(2.0, 1);
+  double lowest = 0;
+  for (double d = 2; d > -2; d -= 0.002) lowest = std::min(lowest, row.advance(d, 1));
+  EXPECT_TRUE(std::abs(-lowest / (1.5 * M_PI * 1e-3 * work * R) - 1) <= 0.02) << lowest;
+}
+
+TEST(Row, MullinsSoftensReloadingButNotBeyondTheOldMaximum) {
+  Tissue tissue;
+  tissue.mullins = 0.4;
+  Row row({Spring{}}, tissue, 1, false);
+  EXPECT_NEAR(row.advance(0.5, 1), 0.5, 1e-12);
+  row.advance(1.0, 1);
+  EXPECT_LT(row.advance(0.5, 1), 0.45);
+  EXPECT_NEAR(row.advance(1.2, 1), 1.2, 1e-12);
+}
+
+TEST(Row, TrialLeavesNothingBehind) {
+  Tissue tissue;
+  tissue.prony = {{0.4, 1}};
+  tissue.mullins = 0.3;
+  Row row = hertz_row(tissue, 2), other = hertz_row(tissue, 2);
+  for (double d : {0.5, 1.5, 1.0, 1.8}) {
+    const double tried = row.trial(d, 0.2);
+    row.trial(d + 1, 0.7);
+    EXPECT_EQ(tried, row.advance(d, 0.2));
+    EXPECT_EQ(other.advance(d, 0.2), tried);
+  }
+}

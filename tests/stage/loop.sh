@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# palpate-loop: every kind of bad set has its words, file, line and exit code; a sound one is checked, and the same twice.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+bin=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+make=$PWD/bench/hidden/make.py
+cd "$folder"
+
+# A set of our own: three ramps with hold, unloading and reloading; no effect in it.
+python3 "$make" --protocol short --effect none --repeatability 1 --seed 3 good
+"$bin/palpate-loop" check good/set.toml | grep -q '^sound: ' || { echo "a sound set is not called sound" >&2; exit 1; }
+
+# refused <code> <regular expression> <edit of r01.csv (awk program)> [edit of set.toml (sed program)]
+refused() {
+  local code=$1 words=$2 got=0
+  rm -rf bad && cp -r good bad
+  awk -F, -v OFS=, "$3" good/r01.csv >bad/r01.csv
+  sed -i -E "${4:-}" bad/set.toml
+  for action in "check bad/set.toml" "run bad/set.toml out"; do
+    got=0
+    "$bin/palpate-loop" $action >stdout 2>message || got=$?
+    if [ "$got" -ne "$code" ] || ! tr '\n' ' ' <message | grep -qE -e "$words"; then
+      echo "expected exit code $code and \"$words\" of $action, got $got and:" >&2
+      cat message >&2
+      exit 1
+    fi
+    [ ! -e out ] || { echo "$action left something behind" >&2; exit 1; }
+  done
+}
+refused 3 'missing column: F\[N\].*r01\.csv:1' 'NR==1{$3="G[N]"}1'
+refused 3 'column u is in \[m\], where \[mm\] is read.*r01\.csv:1' 'NR==1{$2="u[m]"}1'
+refused 3 'no number in column F\[N\]: "x".*r01\.csv:9' 'NR==9{$3="x"}1'
+refused 3 'cells in a row.*r01\.csv:7' 'NR==7{print $1,$2;next}1'
+refused 4 'time does not increase.*r01\.csv:20' 'NR==20{$1=0}1'
+refused 4 'not a number.*r01\.csv:12' 'NR==12{$3="nan"}1'
+refused 4 'one sample is no run.*r01\.csv:2' 'NR<=2'
+refused 4 'sign flipped.*r01\.csv:' 'NR>1{$3=-$3}1'
+refused 4 'a gap of .* in time.*r01\.csv:31' 'NR>=31{$1=$1+30}1'
+refused 4 'cannot touch the specimen there' 1 's/^point_mm = .*/point_mm = [500.0, 0.0, 20.0]/'
+refused 3 'nowhere.csv' 1 's/r01\.csv/nowhere.csv/'
+refused 2 'set\.toml:[0-9]+.*did you mean radius_mm' 1 's/^radius_mm = 5/radus_mm = 5\nradius_mm = 5/'
+
+python3 "$make" --protocol battery --effect none --seed 5 bad2
+mv bad2/r01.csv kept && mv bad2/r04.csv bad2/r01.csv && mv kept bad2/r04.csv  # 1 mm/s and 0.1 mm/s
+got=0
+"$bin/palpate-loop" check bad2/set.toml 2>message || got=$?
+[ $got -eq 4 ] && grep -q 'as r04 should: the two runs are swapped' message || { echo "swapped runs are not told: $got" >&2; cat message >&2; exit 1; }
+
+"$bin/palpate-loop" run good/set.toml one --quiet --null-sets 200 >/dev/null
+"$bin/palpate-loop" run good/set.toml two --quiet --null-sets 200 --threads 2 >/dev/null
+cmp one/curves.csv two/curves.csv
+python3 - <<'P'
+import json
+one, two = (json.load(open(f"{name}/report.json")) for name in ("one", "two"))
+for report in (one, two):
+    for key in ("seconds",):
+        report.pop(key)
+assert one == two, "two runs differ"
+assert one["verdict"]["kind"] == "nothing_supported" and one["verdict"]["effects"] == [], one["verdict"]
+mu = next(p for p in one["parameters"] if p["name"] == "mu")
+assert mu["interval"][0] < 0.01 < mu["interval"][1], mu  # what the maker used
+P
