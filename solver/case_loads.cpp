@@ -1,4 +1,5 @@
-// Reading what holds, loads and presses: [base], [[displacement]], [[force]], [[spring]], [gravity], [[tool]].
+// Reading what holds, loads and presses: [base], [[displacement]], [[force]], [[pressure]], [[spring]],
+// [gravity], [[tool]].
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/case_parts.hpp>
 
@@ -88,10 +89,29 @@ void read_forces_and_springs(const Settings& settings, Case& c) {
     for (int node : nodes) area += areas.at(node);
     for (int node : nodes) c.model.nodal_forces.push_back({node, factor * areas.at(node) / area * total, ramp});
   }
+  for (const auto& table : settings.tables("pressure")) {
+    implicit::FacePressure pressure{chosen_faces(table, c.mesh, c.model.points), 0, 0};
+    double factor = 1;
+    if (!table.has("path")) factor = table.real("pressure_MPa", {-1e3, 1e3});
+    pressure.amplitude = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
+    pressure.value = factor;
+    c.model.pressures.push_back(std::move(pressure));
+  }
   for (const auto& table : settings.tables("spring")) {
     const double stiffness = table.real("stiffness_N_mm3", {0, 1e6});
     for (int node : chosen_nodes(table, c.mesh, c.model.points)) c.model.springs.push_back({node, stiffness * areas.at(node)});
   }
+}
+
+/// turn = { about = [..], from_tip_mm = [..], path = [[t, degrees], …] }
+void read_turn(const Settings& settings, contact::Tool& tool) {
+  double largest = 0;
+  tool.spin = direction(settings, "about");
+  tool.pivot = eigen(settings.vec3("from_tip_mm", {0, 0, 0}));
+  tool.turn = read_path(settings, 1, largest);
+  if (tool.turn.points.front() != std::array<double, 2>{0, 0})
+    throw Failure(ExitCode::misuse, "a turn begins at 0 degrees", settings.where("path"), "path = [[0, 0], [2, 30.0]]");
+  for (auto& point : tool.turn.points) point[1] *= largest * M_PI / 180;
 }
 
 contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
@@ -107,8 +127,11 @@ contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
   if (settings.has("across") && !(tool.across.cross(tool.axis).norm() > 1e-3))
     throw Failure(ExitCode::misuse, "across points along the tool's axis", settings.where("across"), "a direction at right angles to axis");
   const double speed = settings.real("speed_mm_s", 1.0, {1e-6, 1e6});
-  if (!settings.has("path")) tool.depth = settings.real("depth_mm", {1e-6, 1e3});
-  tool.ramp = read_path(settings, tool.depth / speed, tool.depth);
+  tool.force_controlled = settings.has("control") && settings.choice("control", {"depth", "force"}) == "force";
+  double& largest = tool.force_controlled ? tool.force : tool.depth;
+  if (!settings.has("path")) largest = tool.force_controlled ? settings.real("force_N", {1e-9, 1e6}) : settings.real("depth_mm", {1e-6, 1e3});
+  tool.ramp = read_path(settings, tool.force_controlled ? settings.real("duration_s", 1, {1e-6, 1e6}) : tool.depth / speed, largest);
+  if (settings.has("turn")) read_turn(settings.table("turn"), tool);
   if (settings.flag("sticking", false)) tool.friction = std::numeric_limits<double>::infinity();
   else tool.friction = settings.real("friction", 0, {0, 10});
   aim = eigen(settings.vec3("aim_mm"));
@@ -155,7 +178,10 @@ double end_of_loads(const implicit::Model& model) {
   const auto consider = [&](const Amplitude& a) {
     if (!a.points.empty()) end = std::max(end, a.points.back()[0]);
   };
-  for (const auto& tool : model.tools) consider(tool.ramp);
+  for (const auto& tool : model.tools) {
+    consider(tool.ramp);
+    if (tool.turns()) consider(tool.turn);
+  }
   for (const auto& amplitude : model.amplitudes) consider(amplitude);
   return end;
 }

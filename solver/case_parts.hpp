@@ -30,7 +30,7 @@ std::string text_mm(const Eigen::Vector3d& v);
 /// Names of the mesh's regions.
 std::vector<std::string> region_names(const TetMesh& mesh);
 
-/// [base], [[displacement]], [[force]], [[spring]], [gravity] into the model.
+/// [base], [[displacement]], [[force]], [[pressure]], [[spring]], [gravity] into the model.
 void read_loads(const Settings& settings, Case& c);
 
 /// [tool] or [[tool]] into the model, at first contact with the organ at rest.

@@ -37,6 +37,8 @@ Json tool_facts(const contact::Tool& tool, const Vector3d& aim) {
   facts["axis"] = json(tool.axis);
   facts["across"] = json(tool.frame().col(0));
   facts["first_contact_mm"] = json(tool.first_contact);
+  if (tool.force_controlled) facts["force_N"] = tool.force;
+  if (tool.turns()) facts["turn"] = {{"about", json(tool.spin)}, {"from_tip_mm", json(tool.pivot)}};
   return facts;
 }
 
@@ -68,7 +70,7 @@ Driven driven(const Case& c, const implicit::Step& step) {
   const bool at_rest = step.equations.residual.size() == 0;
   if (!c.model.tools.empty()) {
     const auto& tool = c.model.tools.front();
-    d.depth = tool.travel(step.state.time);
+    d.depth = implicit::pose(c.model, step.state, 0).travel;
     if (at_rest) return d;
     const auto& sums = step.equations.contact.tools.front();
     d.vector = sums.force;
@@ -174,7 +176,7 @@ Json ResultFolder::finish(double time_reached) {
   for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_.aims_mm[i]));
   if (!shapes.empty()) {
     summary["tool"] = shapes[0];
-    summary["depth_mm"] = {{"asked", model.tools[0].depth}, {"reached", depth_}};
+    summary["depth_mm"] = {{"asked", model.tools[0].force_controlled ? Json(nullptr) : Json(model.tools[0].depth)}, {"reached", depth_}};
   }
   if (shapes.size() > 1) summary["tools"] = shapes;
   write_json(folder_ / "summary.json", summary);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/selection.hpp>
 
+#include <algorithm>
+
 #include <palpate/errors.hpp>
 #include <solver/case_parts.hpp>
 
@@ -53,6 +55,18 @@ std::set<int> with_label(const Settings& base, const TetMesh& mesh) {
 }
 
 }  // namespace
+
+std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh, const std::vector<Vector3d>& points) {
+  const auto nodes = chosen_nodes(settings, mesh, points);
+  std::vector<int> faces;
+  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
+    const auto name = mesh.region_names.find(mesh.face_region[f]);
+    const bool labelled = !settings.has("label") || (name != mesh.region_names.end() && name->second == settings.text("label"));
+    if (labelled && std::all_of(mesh.faces[f].begin(), mesh.faces[f].end(), [&](int node) { return nodes.contains(node); })) faces.push_back(f);
+  }
+  if (faces.empty()) throw Failure(ExitCode::misuse, "no whole face is chosen", settings.where(), "enlarge the box, or move the plane");
+  return faces;
+}
 
 std::set<int> chosen_nodes(const Settings& base, const TetMesh& mesh, const std::vector<Vector3d>& points) {
   const int given = base.has("plane") + base.has("box") + base.has("label");

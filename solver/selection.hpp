@@ -21,4 +21,7 @@ std::set<int> boundary_nodes(const TetMesh& mesh);
 /// label = "name". `points`: of the mesh, mm. Failure(misuse) when fewer than three nodes are chosen.
 std::set<int> chosen_nodes(const Settings& settings, const TetMesh& mesh, const std::vector<Eigen::Vector3d>& points);
 
+/// Faces of the surface, by their numbers: those of a label, or those all of whose nodes a plane or a box chooses.
+std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh, const std::vector<Eigen::Vector3d>& points);
+
 }  // namespace palpate

@@ -34,13 +34,21 @@ Shear shear(const Slip& slip, const Vector3d& place, const tools::Distance& d, d
   return slipping;
 }
 
+/// What is remembered, turned with the tool.
+Slip seen_now(const Tool& tool, const Pose& pose, const Slip& slip) {
+  if (!tool.turns()) return slip;
+  const Eigen::Matrix3d Q = tool.rotation(pose.angle);
+  const Vector3d centre = tool.first_contact + tool.pivot;
+  return {Q * (slip.place - centre) + centre, Q * slip.shear};
+}
+
 /// A face farther away than its own reach cannot touch: the distance changes by at most 1 mm per mm.
-bool out_of_reach(const Tool& tool, double travel, const Face& face) {
+bool out_of_reach(const Tool& tool, const Pose& pose, const Face& face) {
   const Vector3d centre = (face.now[0] + face.now[1] + face.now[2]) / 3;
   double reach = 0;
   for (const auto& corner : face.now) reach = std::max(reach, (corner - centre).norm());
   const bool relaxed = std::all_of(face.pressures, face.pressures + points_per_face, [](double t) { return t == 0; });
-  return relaxed && tool.distance(centre, travel).g > reach;
+  return relaxed && tool.distance(centre, pose).g > reach;
 }
 
 }  // namespace
@@ -55,9 +63,15 @@ Eigen::Matrix3d Tool::frame() const {
   return columns;
 }
 
-tools::Distance Tool::distance(const Vector3d& x, double travel) const {
-  const Eigen::Matrix3d R = frame();
-  tools::Distance d = shape.distance(R.transpose() * (x - first_contact - travel * axis), parameters);
+tools::Distance Tool::distance(const Vector3d& x, const Pose& pose) const {
+  Eigen::Matrix3d R = frame();
+  Vector3d from_tip = x - first_contact - pose.travel * axis;
+  if (turns()) {
+    const Eigen::Matrix3d Q = rotation(pose.angle);
+    R = Q * R;
+    from_tip += Q * pivot - pivot;
+  }
+  tools::Distance d = shape.distance(R.transpose() * from_tip, parameters);
   d.n = R * d.n;
   d.hessian = R * d.hessian * R.transpose();
   return d;
@@ -65,15 +79,15 @@ tools::Distance Tool::distance(const Vector3d& x, double travel) const {
 
 double face_size(const std::array<Vector3d, 3>& corners) { return std::sqrt(area(corners) * 4 / std::sqrt(3.0)); }
 
-FaceContact face_contact(const Tool& tool, double travel, const Face& face, double softness) {
+FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, double softness) {
   FaceContact result;
-  if (out_of_reach(tool, travel, face)) return result;
+  if (out_of_reach(tool, pose, face)) return result;
   const double rest_area = area(face.rest), now_area = area(face.now);
   const double size = face_size(face.rest), deepest = deepest_gap * size;
   for (int q = 0; q < points_per_face; ++q) {
     const auto& [N, weight] = quadrature[q];
     const Vector3d x = N[0] * face.now[0] + N[1] * face.now[1] + N[2] * face.now[2];
-    const tools::Distance d = tool.distance(x, travel);
+    const tools::Distance d = tool.distance(x, pose);
     const double carried = face.pressures[q];
     const GapLaw law(carried, softness, deepest);
     const auto [gap, stiffness] = law;
@@ -93,7 +107,7 @@ FaceContact face_contact(const Tool& tool, double travel, const Face& face, doub
     const double curving = std::min(t, carried + 2 * softness);
     Eigen::Matrix3d k = w * (stiffness * d.n * d.n.transpose() - curving * d.hessian);
     if (face.slips) {
-      const Shear s = shear(face.slips[q], x - travel * tool.axis, d, t, stiffness, tool.friction, softness / deepest);
+      const Shear s = shear(seen_now(tool, pose, face.slips[q]), x - pose.travel * tool.axis, d, t, stiffness, tool.friction, softness / deepest);
       result.points[q].shear = s.value;
       result.force += w * s.value;
       k -= w * s.by_place;
@@ -107,9 +121,12 @@ FaceContact face_contact(const Tool& tool, double travel, const Face& face, doub
   return result;
 }
 
-Vector3d place(const Tool& tool, double travel, const std::array<Vector3d, 3>& corners, int q) {
+Vector3d place(const Tool& tool, const Pose& pose, const std::array<Vector3d, 3>& corners, int q) {
   const auto& N = quadrature[q].N;
-  return N[0] * corners[0] + N[1] * corners[1] + N[2] * corners[2] - travel * tool.axis;
+  const Vector3d without_travel = N[0] * corners[0] + N[1] * corners[1] + N[2] * corners[2] - pose.travel * tool.axis;
+  if (!tool.turns()) return without_travel;
+  const Vector3d centre = tool.first_contact + tool.pivot;
+  return tool.rotation(pose.angle).transpose() * (without_travel - centre) + centre;
 }
 
 double next_pressure(const Point& point, int q, double before, const std::array<Vector3d, 3>& corner_steps, double length) {

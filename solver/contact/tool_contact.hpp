@@ -14,7 +14,14 @@
 
 namespace palpate::contact {
 
-/// A rigid tool on its way: its tip is at first_contact + travel · axis, travel = depth · ramp(time).
+/// Where a tool is: its travel along the axis (mm), then its turn (rad).
+struct Pose {
+  double travel = 0, angle = 0;
+  Pose(double travel_mm = 0, double angle_rad = 0) : travel(travel_mm), angle(angle_rad) {}
+};
+
+/// A rigid tool on its way: its tip is at first_contact + travel · axis, travel = depth · ramp(time). Or the force along the axis is
+/// force · ramp(time) and the travel follows from the organ. It may turn about `spin` through a point that travels with it.
 struct Tool {
   tools::Shape shape;
   std::vector<double> parameters;
@@ -25,16 +32,28 @@ struct Tool {
   Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the shape's x axis, as far as it is at right angles to `axis`; zero: any
   double friction = 0;            ///< Coulomb's coefficient; infinite: what touches sticks
 
+  bool force_controlled = false;
+  double force = 0;               ///< N, with force control; then there is no depth
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();   ///< unit: the axis of turning; zero: it does not turn
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  ///< a point of that axis, from the tip at first contact, mm
+  Amplitude turn{{{0, 0}, {1, 0}}};                 ///< angle, rad
+
   double travel(double time) const { return depth * ramp.at(time); }
+  Pose pose(double time) const { return {travel(time), turn.at(time)}; }
+  bool turns() const { return !spin.isZero(); }
+  Eigen::Matrix3d rotation(double angle) const { return Eigen::AngleAxisd(angle, spin).toRotationMatrix(); }
+  /// The point of the axis of turning, mm.
+  Eigen::Vector3d pivot_now(const Pose& pose) const { return first_contact + pivot + pose.travel * axis; }
 
   /// Columns: the shape's frame in the patient's; its z looks back along the axis.
   Eigen::Matrix3d frame() const;
 
   /// Distance at a point of space (mm), gradient and Hessian in the patient's frame.
-  tools::Distance distance(const Eigen::Vector3d& x, double travel) const;
+  tools::Distance distance(const Eigen::Vector3d& x, const Pose& pose) const;
 };
 
-/// What friction remembers of a point: where it was, seen from the tool, and the shear it carried, when the last step was found.
+/// What friction remembers of a point: where it was, seen from the tool, and the shear it carried (turned back with the tool), when the
+/// last step was found.
 struct Slip {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< MPa
@@ -68,13 +87,13 @@ struct FaceContact {
 };
 
 /// `softness` (MPa): A, the pressure at which a point is half way to the deepest gap.
-FaceContact face_contact(const Tool& tool, double travel, const Face& face, double softness);
+FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, double softness);
 
 /// Pressure of point `q` of a face after a part `length` of a Newton step that moves the face's corners by `corner_steps` against the tool.
 double next_pressure(const Point& point, int q, double before, const std::array<Eigen::Vector3d, 3>& corner_steps, double length);
 
-/// Where point `q` of a face is, seen from a tool.
-Eigen::Vector3d place(const Tool& tool, double travel, const std::array<Eigen::Vector3d, 3>& corners, int q);
+/// Where point `q` of a face is, seen from a tool: where a point that moves with the tool was before the tool moved.
+Eigen::Vector3d place(const Tool& tool, const Pose& pose, const std::array<Eigen::Vector3d, 3>& corners, int q);
 
 /// Edge of the equilateral triangle of the same area, mm: the local element size.
 double face_size(const std::array<Eigen::Vector3d, 3>& corners);

@@ -89,11 +89,35 @@ void Assembly::add_loads(const State& state, Equations& equations, BlockMatrix& 
   }
 }
 
+/// A face's part in what the tool feels, and in how it changes with the tool's place. Only the place of face and tool against each other
+/// counts: ∂r/∂travel = −K_contact · (a rigid motion along the axis); in a turn the forces turn too.
+void Assembly::sum_up(int index, const contact::FaceContact& contact, const std::array<int, 3>& nodes, const contact::Face& face,
+                      const contact::Pose& pose, ToolSums& own) const {
+  const contact::Tool& tool = model_.tools[index];
+  const Eigen::Vector3d pivot = tool.pivot_now(pose);
+  own.force += contact.force;
+  own.area += contact.area;
+  for (int a = 0; a < 3; ++a) {
+    const Eigen::Vector3d residual = contact.residual.segment<3>(3 * a);
+    own.moment -= (face.now[a] - pivot).cross(residual);
+    if (tool.turns()) own.by_angle.segment<3>(4 * nodes[a]) += tool.spin.cross(residual);
+    for (int b = 0; b < 3; ++b) {
+      const Eigen::Matrix3d block = contact.tangent.block<3, 3>(3 * a, 3 * b);
+      own.by_travel.segment<3>(4 * nodes[a]) -= block * tool.axis;
+      if (tool.turns()) own.by_angle.segment<3>(4 * nodes[a]) -= block * tool.spin.cross(face.now[b] - pivot);
+      if (tool.force_controlled) own.along_by_nodes.segment<3>(4 * nodes[b]) -= block.transpose() * tool.axis;
+    }
+  }
+}
+
 void Assembly::add_contact(int index, const State& state, Equations& equations, BlockMatrix& tangent) const {
   const contact::Tool& tool = model_.tools[index];
+  const contact::Pose now = pose(model_, state, index);
   auto& sums = equations.contact;
   auto& own = sums.tools[index];
   own.by_travel = Eigen::VectorXd::Zero(state.nodal.size());
+  if (tool.turns()) own.by_angle = own.by_travel;
+  if (tool.force_controlled) own.along_by_nodes = own.by_travel;
   for (std::size_t f = 0; f < model_.faces.size(); ++f) {
     contact::Face face;
     const auto& nodes = model_.faces[f];
@@ -102,18 +126,15 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
     const std::size_t first = contact::points_per_face * (index * model_.faces.size() + f);
     face.pressures = &state.contact_pressures[first];
     if (tool.friction > 0) face.slips = &state.slips[first];
-    const auto contact = contact::face_contact(tool, tool.travel(state.time), face, softness_[f]);
+    const auto contact = contact::face_contact(tool, now, face, softness_[f]);
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
     if (!contact.touched) continue;
-    own.force += contact.force;
-    own.area += contact.area;
+    sum_up(index, contact, nodes, face, now, own);
     std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + first);
     for (int a = 0; a < 3; ++a) {
       equations.residual.segment<3>(4 * nodes[a]) += contact.residual.segment<3>(3 * a);
       for (int b = 0; b < 3; ++b) {
-        // Only the place of face and tool against each other counts: ∂r/∂travel = −K_contact · (a rigid motion along the axis).
-        own.by_travel.segment<3>(4 * nodes[a]) -= contact.tangent.block<3, 3>(3 * a, 3 * b) * tool.axis;
         if (nodes[b] > nodes[a]) continue;
         Block block = Block::Zero(), other = Block::Zero();
         block.topLeftCorner<3, 3>() = contact.tangent.block<3, 3>(3 * a, 3 * b);
@@ -123,6 +144,7 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
       }
     }
   }
+  if (tool.force_controlled) own.excess = own.force.dot(tool.axis) - tool.force * tool.ramp.at(state.time);
 }
 
 Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
@@ -136,6 +158,7 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
   add_elements(state, equations, tangent);
   if (equations.fault != elements::ElementFault::none) return equations;
   add_loads(state, equations, tangent);
+  add_pressures(state, equations, tangent);
   for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
   add_organ_contact(meetings, state, equations, tangent);
   return equations;
@@ -143,8 +166,16 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
 
 Eigen::VectorXd Assembly::change_by_time(const Equations& equations, double from, double to) const {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(equations.residual.size());
-  for (std::size_t i = 0; i < model_.tools.size(); ++i)
-    change += (model_.tools[i].travel(to) - model_.tools[i].travel(from)) * equations.contact.tools[i].by_travel;
+  for (std::size_t i = 0; i < model_.tools.size(); ++i) {
+    const auto& tool = model_.tools[i];
+    const auto& sums = equations.contact.tools[i];
+    if (!tool.force_controlled) change += (tool.travel(to) - tool.travel(from)) * sums.by_travel;
+    if (tool.turns()) change += (tool.turn.at(to) - tool.turn.at(from)) * sums.by_angle;
+  }
+  for (std::size_t i = 0; i < model_.pressures.size(); ++i) {
+    const auto& grows = model_.amplitudes[model_.pressures[i].amplitude];
+    change += (grows.at(to) - grows.at(from)) * equations.pressure_forces[i];
+  }
   for (const auto& force : model_.nodal_forces) {
     const auto& ramp = model_.amplitudes[force.amplitude];
     change.segment<3>(4 * force.node) -= (ramp.at(to) - ramp.at(from)) * force.value;
@@ -159,15 +190,20 @@ Eigen::VectorXd Assembly::change_by_time(const Equations& equations, double from
   return change;
 }
 
-std::vector<double> Assembly::next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double time,
-                                             double length) const {
+std::vector<double> Assembly::next_pressures(const State& state, const ContactSums& contact, const Increment& step, double time, double length) const {
   auto pressures = state.contact_pressures;
   for (std::size_t i = 0; i < model_.tools.size(); ++i) {
     const auto& tool = model_.tools[i];
-    const Eigen::Vector3d motion = (tool.travel(time) - tool.travel(state.time)) * tool.axis;
+    const double travel = tool.force_controlled ? step.travels[i] : tool.travel(time) - tool.travel(state.time);
+    const Eigen::Vector3d motion = travel * tool.axis, turn = (tool.turn.at(time) - tool.turn.at(state.time)) * tool.spin;
+    const Eigen::Vector3d pivot = tool.pivot_now(pose(model_, state, static_cast<int>(i)));
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       std::array<Eigen::Vector3d, 3> corner_steps;
-      for (int a = 0; a < 3; ++a) corner_steps[a] = step.segment<3>(4 * model_.faces[f][a]) - motion;
+      for (int a = 0; a < 3; ++a) {
+        const int node = model_.faces[f][a];
+        corner_steps[a] = step.nodal.segment<3>(4 * node) - motion;
+        if (tool.turns()) corner_steps[a] -= turn.cross(model_.points[node] + state.displacement(node) - pivot);
+      }
       for (int q = 0; q < contact::points_per_face; ++q) {
         const std::size_t at = contact::points_per_face * (i * model_.faces.size() + f) + q;
         pressures[at] = contact::next_pressure(contact.points[at], q, pressures[at], corner_steps, length);
@@ -182,6 +218,7 @@ Eigen::Vector3d Assembly::loads(const State& state) const {
   for (std::size_t e = 0; e < model_.tets.size(); ++e) sum += rest_[e].volume / 4 * body_force_[e].rowwise().sum();
   sum *= model_.amplitudes[model_.body_amplitude].at(state.time);
   for (const auto& force : model_.nodal_forces) sum += model_.amplitudes[force.amplitude].at(state.time) * force.value;
+  sum += pressure_on_organs(state);
   for (const auto& spring : model_.springs) sum -= spring.stiffness * state.displacement(spring.node);
   return sum;
 }

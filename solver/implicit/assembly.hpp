@@ -10,7 +10,11 @@ namespace palpate::implicit {
 struct ToolSums {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the tool on the organ, N
   double area = 0;                                  ///< mm²
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< on the organ about the tool's pivot, N mm
   Eigen::VectorXd by_travel;                        ///< ∂residual/∂(travel of the tool), N/mm
+  Eigen::VectorXd by_angle;                         ///< ∂residual/∂(angle of the tool), N/rad; of a tool that turns
+  Eigen::VectorXd along_by_nodes;                   ///< ∂(force along the axis)/∂(nodes), N/mm; of a tool controlled by force
+  double excess = 0;                                ///< force along the axis above the one asked for, N; of a tool controlled by force
 };
 
 /// What two organs, or two parts of one, do to each other.
@@ -34,10 +38,17 @@ struct ContactSums {
   std::vector<PairPlace> pairs;          ///< those that lie inside the other surface
 };
 
+/// A step of the unknowns: of the nodes, and of the tools controlled by force (0 for others).
+struct Increment {
+  Eigen::VectorXd nodal;
+  std::vector<double> travels;
+};
+
 struct Equations {
   Eigen::VectorXd residual;   ///< node by node: force (N) × 3, volume (mm³)
   double internal_force = 0;  ///< root of the sum of squares of the terms that cancel, N
   ContactSums contact;
+  std::vector<Eigen::VectorXd> pressure_forces;  ///< residuals of every face pressure at amplitude 1, N
   elements::ElementFault fault = elements::ElementFault::none;
   int faulty_tet = -1;
 };
@@ -53,11 +64,10 @@ class Assembly {
   /// Change of the residual at an unchanged shape when time goes on: loads grow, tools travel (to first order).
   Eigen::VectorXd change_by_time(const Equations& equations, double from, double to) const;
   /// Pressures of contact between organs after the same part of a step.
-  std::vector<double> next_pair_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double length) const;
+  std::vector<double> next_pair_pressures(const State& state, const ContactSums& contact, const Increment& step, double length) const;
   /// Contact pressures after a part `length` of the Newton step `step` from `state`, while time goes on to `time`.
-  std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double time,
-                                     double length) const;
-  /// Sum of gravity, body forces, nodal forces and springs on the organs, N.
+  std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Increment& step, double time, double length) const;
+  /// Sum of gravity, body forces, nodal forces, pressures and springs on the organs, N.
   Eigen::Vector3d loads(const State& state) const;
   /// Von Mises stress and J of every tetrahedron.
   std::vector<elements::ElementResult> results(const State& state) const;
@@ -65,6 +75,10 @@ class Assembly {
  private:
   void add_elements(State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_pressures(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  Eigen::Vector3d pressure_on_organs(const State& state) const;
+  void sum_up(int tool, const contact::FaceContact& contact, const std::array<int, 3>& nodes, const contact::Face& face,
+              const contact::Pose& pose, ToolSums& sums) const;
   using Meetings = std::vector<std::vector<contact::Meeting>>;  ///< pass by pass
   Meetings meetings_of(const State& state) const;
   std::vector<std::array<int, 2>> touching_nodes(const Meetings& meetings) const;

@@ -83,7 +83,7 @@ void BlockMatrix::add_both(int i, int j, const Block& ij, const Block& ji) {
   if (j > i) return add_both(j, i, ji, ij);
   const int at = place(i, j);
   blocks_[at] += 0.5 * (ij + ji.transpose());
-  skew_[at] += 0.5 * (ij - ji.transpose());
+  if (!symmetric()) skew_[at] += 0.5 * (ij - ji.transpose());
 }
 
 void BlockMatrix::add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix) {

@@ -22,7 +22,7 @@ class BlockMatrix {
   void set_zero(int threads = 1);
   /// Adds the block of nodes (i, j); (j, i) is its transpose and is not added separately.
   void add(int i, int j, const Block& block);
-  /// Adds the blocks (i, j) and (j, i); for i = j both are the same one. Only for a matrix that is not symmetric.
+  /// Adds the blocks (i, j) and (j, i); for i = j both are the same one. Of a symmetric matrix the symmetric part is taken.
   void add_both(int i, int j, const Block& ij, const Block& ji);
   /// Adds the symmetric matrix of tetrahedron `tet`, node by node; its blocks' places are known beforehand.
   void add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix);

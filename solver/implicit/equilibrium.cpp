@@ -34,9 +34,20 @@ const char* words(elements::ElementFault fault) {
 
 }  // namespace
 
+namespace {
+
+std::vector<double> excess(const Equations& equations) {
+  std::vector<double> list;
+  for (const auto& tool : equations.contact.tools) list.push_back(tool.excess);
+  return list;
+}
+
+}  // namespace
+
 struct Equilibrium::Trial {
   State state;
   Eigen::VectorXd prescribed;  ///< increment still to be applied
+  std::vector<double> excess;  ///< of force-controlled tools, N
   Equations equations;
   double residual = 0;
   std::vector<double> history;
@@ -75,7 +86,9 @@ double Equilibrium::relative_residual(const Trial& trial) const {
   for (int i = 0; i < r.size(); ++i)
     if (!fixed_[i]) (i % 4 == 3 ? volume : force) += r(i) * r(i);
   const double scale = trial.equations.internal_force + force_floor_;
-  return std::max({std::sqrt(force) / scale, std::sqrt(volume) / volume_scale_, trial.prescribed.norm(),
+  double excess = 0;
+  for (double e : trial.excess) excess = std::max(excess, std::abs(e));
+  return std::max({std::sqrt(force) / scale, std::sqrt(volume) / volume_scale_, trial.prescribed.norm(), excess / scale,
                    gap_scale * trial.equations.contact.mismatch});
 }
 
@@ -92,11 +105,13 @@ bool Equilibrium::factor() {
   return false;
 }
 
-Eigen::VectorXd Equilibrium::back_substitute(const Trial& trial) {
-  Eigen::VectorXd step = -trial.equations.residual - tangent_.multiply(trial.prescribed);
-  for (int i = 0; i < step.size(); ++i)
-    if (fixed_[i]) step(i) = trial.prescribed(i);
-  solver_.solve(step);
+/// `contact`: of the state whose tangent is factored.
+Increment Equilibrium::back_substitute(const Trial& trial, const ContactSums& contact) {
+  Increment step{-trial.equations.residual - tangent_.multiply(trial.prescribed), std::vector<double>(model_.tools.size(), 0.0)};
+  for (int i = 0; i < step.nodal.size(); ++i)
+    if (fixed_[i]) step.nodal(i) = trial.prescribed(i);
+  solver_.solve(step.nodal);
+  if (has_force_control(model_)) add_travels(contact, trial.excess, step);
   return step;
 }
 
@@ -118,29 +133,32 @@ void Equilibrium::explain_residual(const Trial& trial) {
 }
 
 /// Work of the unbalanced forces along a step: the slope of the potential energy on the way, as far as the step keeps the volume.
-double Equilibrium::slope(const Trial& trial, const Eigen::VectorXd& step) const {
+double Equilibrium::slope(const Trial& trial, const Increment& step) const {
   double sum = 0;
-  for (int i = 0; i < step.size(); ++i)
-    if (i % 4 != 3 && !fixed_[i]) sum += step(i) * trial.equations.residual(i);
+  for (int i = 0; i < step.nodal.size(); ++i)
+    if (i % 4 != 3 && !fixed_[i]) sum += step.nodal(i) * trial.equations.residual(i);
+  for (std::size_t i = 0; i < step.travels.size(); ++i) sum += step.travels[i] * trial.excess[i];
   return sum;
 }
 
 /// The trial after a part of a step; false when an element would invert.
-bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length) {
+bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Increment& step, double length) {
   trial.state = start.state;
-  trial.state.nodal += length * step;
+  trial.state.nodal += length * step.nodal;
+  for (std::size_t i = 0; i < step.travels.size(); ++i) trial.state.travels[i] += length * step.travels[i];
   trial.state.contact_pressures = assembly_.next_pressures(start.state, start.equations.contact, step, start.state.time, length);
   trial.state.pair_pressures = assembly_.next_pair_pressures(start.state, start.equations.contact, step, length);
   trial.prescribed = (1 - length) * start.prescribed;
   trial.equations = assembly_(trial.state, tangent_);
   if (trial.equations.fault != elements::ElementFault::none) return false;
+  trial.excess = excess(trial.equations);
   trial.residual = relative_residual(trial);
   return true;
 }
 
 /// Full steps where they neither invert an element, nor let the residual jump, nor climb the potential; else the length at which the
 /// slope is about to vanish, by false position (Matthies and Strang 1979, Int. J. Numer. Meth. Eng. 14:1613), or half of it.
-bool Equilibrium::line_search(Trial& trial, const Eigen::VectorXd& step) {
+bool Equilibrium::line_search(Trial& trial, const Increment& step) {
   const Trial start = trial;
   const double slope_before = slope(start, step);
   const bool downhill = slope_before < 0 && start.prescribed.isZero(0);
@@ -175,22 +193,26 @@ bool Equilibrium::predict(Trial& trial, double time) {
     if (last_found_.fault != elements::ElementFault::none || !factor()) return false;
   }
   trial.equations.residual = assembly_.change_by_time(last_found_, trial.state.time, time);
-  const bool still = trial.equations.residual.isZero(0) && trial.prescribed.isZero(0);
+  trial.excess.clear();
+  for (const auto& tool : model_.tools) trial.excess.push_back(tool.force_controlled ? tool.force * (tool.ramp.at(trial.state.time) - tool.ramp.at(time)) : 0);
+  const bool still = trial.equations.residual.isZero(0) && trial.prescribed.isZero(0) && !has_force_control(model_);
   if (still && !model_.tools.empty()) return false;  // no tool touches yet
-  const Eigen::VectorXd step = back_substitute(trial);
+  const Increment step = back_substitute(trial, last_found_.contact);
   State moved = trial.state;
-  moved.nodal += step;
+  moved.nodal += step.nodal;
+  for (std::size_t i = 0; i < step.travels.size(); ++i) moved.travels[i] += step.travels[i];
   moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, step, time, 1);
   moved.pair_pressures = assembly_.next_pair_pressures(trial.state, last_found_.contact, step, 1);
   moved.time = time;
   trial.equations = assembly_(moved, tangent_);
-  if (!step.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
+  if (!step.nodal.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
   trial.state = std::move(moved);
   trial.prescribed.setZero();
   return true;
 }
 
 bool Equilibrium::newton(Trial& trial) {
+  trial.excess = excess(trial.equations);
   trial.residual = relative_residual(trial);
   trial.history.push_back(trial.residual);
   const double hopeless = lost * std::max(1.0, trial.residual);
@@ -199,7 +221,7 @@ bool Equilibrium::newton(Trial& trial) {
       explain_residual(trial);
       return false;
     }
-    if (!factor() || !line_search(trial, back_substitute(trial))) return false;
+    if (!factor() || !line_search(trial, back_substitute(trial, trial.equations.contact))) return false;
     ++trial.iterations;
     trial.history.push_back(trial.residual);
   }
@@ -211,7 +233,7 @@ bool Equilibrium::jumped_through(const State& before, const Trial& after) {
   const std::size_t points = contact::points_per_face * model_.faces.size();
   for (std::size_t i = 0; i < model_.tools.size(); ++i) {
     const auto& tool = model_.tools[i];
-    const double from = tool.travel(before.time), to = tool.travel(after.state.time);
+    const double from = pose(model_, before, static_cast<int>(i)).travel, to = pose(model_, after.state, static_cast<int>(i)).travel;
     const auto touches = [&](const State& state) {
       const auto first = state.contact_pressures.begin() + i * points;
       return std::any_of(first, first + points, [](double t) { return t > 0; });

@@ -40,12 +40,13 @@ class Equilibrium {
   struct Trial;
   bool predict(Trial& trial, double time);
   bool newton(Trial& trial);
-  bool line_search(Trial& trial, const Eigen::VectorXd& step);
-  bool evaluate(Trial& trial, const Trial& start, const Eigen::VectorXd& step, double length);
-  double slope(const Trial& trial, const Eigen::VectorXd& step) const;
+  bool line_search(Trial& trial, const Increment& step);
+  bool evaluate(Trial& trial, const Trial& start, const Increment& step, double length);
+  double slope(const Trial& trial, const Increment& step) const;
   bool jumped_through(const State& before, const Trial& after);
   bool factor();
-  Eigen::VectorXd back_substitute(const Trial& trial);
+  Increment back_substitute(const Trial& trial, const ContactSums& contact);
+  void add_travels(const ContactSums& contact, const std::vector<double>& excess, Increment& step);
   double relative_residual(const Trial& trial) const;
   void explain_residual(const Trial& trial);
   void explain_fault(const Equations& equations);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace palpate::implicit {
 
@@ -12,6 +13,7 @@ State rest_state(const Model& model) {
   state.nodal = Eigen::VectorXd::Zero(4 * model.points.size());
   state.bubbles.assign(model.tets.size(), Eigen::Vector3d::Zero());
   state.contact_pressures.assign(contact::points_per_face * model.faces.size() * model.tools.size(), 0.0);
+  state.travels.assign(model.tools.size(), 0.0);
   std::size_t pair_points = 0;
   for (const auto& pass : model.passes) pair_points += contact::points_per_face * pass.own.size();
   state.pair_pressures.assign(pair_points, 0.0);
@@ -23,7 +25,38 @@ bool has_friction(const Model& model) {
   return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.friction > 0; });
 }
 
-bool is_conservative(const Model& model) { return !has_friction(model) && model.passes.empty(); }
+bool has_force_control(const Model& model) {
+  return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.force_controlled; });
+}
+
+namespace {
+
+/// A pressure that follows its faces has a potential when they close a surface, or when the edge of their patch is held. (Bufler 1984,
+/// Z. angew. Math. Mech. 64:287.)
+bool has_potential(const Model& model, const FacePressure& pressure, const std::map<int, int>& held_components) {
+  std::set<std::pair<int, int>> edges;
+  for (int f : pressure.faces)
+    for (int k = 0; k < 3; ++k) edges.insert({model.faces[f][k], model.faces[f][(k + 1) % 3]});
+  const auto held = [&](int node) { return held_components.contains(node) && held_components.at(node) == 7; };
+  return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
+    return edges.contains({edge.second, edge.first}) || (held(edge.first) && held(edge.second));
+  });
+}
+
+}  // namespace
+
+bool is_conservative(const Model& model) {
+  if (has_friction(model) || !model.passes.empty()) return false;
+  std::map<int, int> held;  // components of each node, one bit each
+  for (const auto& p : model.prescribed)
+    if (p.component < 3) held[p.node] |= 1 << p.component;
+  return std::all_of(model.pressures.begin(), model.pressures.end(), [&](const auto& pressure) { return has_potential(model, pressure, held); });
+}
+
+contact::Pose pose(const Model& model, const State& state, int tool) {
+  const auto& t = model.tools[tool];
+  return {t.force_controlled ? state.travels[tool] : t.travel(state.time), t.turn.at(state.time)};
+}
 
 std::vector<int> tets_of_faces(const Model& model) {
   std::map<std::array<int, 3>, int> tet_of;
@@ -63,12 +96,17 @@ std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& stat
 void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state) {
   state.slips.resize(state.contact_pressures.size());
   std::size_t at = 0;
-  for (const auto& tool : model.tools)
+  for (std::size_t i = 0; i < model.tools.size(); ++i) {
+    const auto& tool = model.tools[i];
+    const auto now = pose(model, state, static_cast<int>(i));
     for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) {
       const auto corners = corners_now(model, state, f);
-      for (int q = 0; q < contact::points_per_face; ++q, ++at)
-        state.slips[at] = {contact::place(tool, tool.travel(state.time), corners, q), at < points.size() ? points[at].shear : Eigen::Vector3d::Zero()};
+      for (int q = 0; q < contact::points_per_face; ++q, ++at) {
+        state.slips[at] = {contact::place(tool, now, corners, q), at < points.size() ? points[at].shear : Eigen::Vector3d::Zero()};
+        if (tool.turns()) state.slips[at].shear = tool.rotation(now.angle).transpose() * state.slips[at].shear;
+      }
     }
+  }
 }
 
 elements::ElementState element_state(const Model& model, const State& state, int tet) {

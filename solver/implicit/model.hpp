@@ -33,6 +33,13 @@ struct Spring {
   double stiffness = 0;
 };
 
+/// A pressure (MPa) · amplitude(time) on faces, at right angles to them as they are now.
+struct FacePressure {
+  std::vector<int> faces;
+  double value = 0;
+  int amplitude = 0;
+};
+
 struct Model {
   std::vector<Eigen::Vector3d> points;        ///< rest positions, mm
   std::vector<std::array<int, 4>> tets;       ///< positive volume
@@ -42,6 +49,7 @@ struct Model {
   std::vector<Amplitude> amplitudes{1};       ///< the first one is the time itself
   std::vector<Prescribed> prescribed;
   std::vector<NodalForce> nodal_forces;
+  std::vector<FacePressure> pressures;
   std::vector<Spring> springs;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s², times the materials' densities
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> body_force;  ///< N/mm³ at a rest position, besides gravity; may be empty
@@ -57,6 +65,7 @@ struct State {
   std::vector<double> contact_pressures;  ///< MPa; tool by tool, face by face, point by point
   std::vector<contact::Slip> slips;        ///< in the same order; none without friction
   std::vector<double> pair_pressures;      ///< MPa, of contact between organs; pass by pass, own face by own face, point by point
+  std::vector<double> travels;             ///< of every tool, mm; counts for those that are controlled by force
   double time = 0;                        ///< s
 
   Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
@@ -64,6 +73,8 @@ struct State {
 };
 
 bool has_friction(const Model& model);
+
+bool has_force_control(const Model& model);
 
 /// Whether every force has a potential, so that the tangent is symmetric.
 bool is_conservative(const Model& model);
@@ -75,6 +86,9 @@ std::vector<int> tets_of_faces(const Model& model);
 std::vector<std::vector<int>> nodes_around(const Model& model);
 
 State rest_state(const Model& model);
+
+/// Where a tool is.
+contact::Pose pose(const Model& model, const State& state, int tool);
 
 /// A face's corners in the deformed organ, mm.
 std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face);

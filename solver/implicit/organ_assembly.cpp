@@ -97,12 +97,12 @@ void Assembly::add_pair(const PairPlace& place, Equations& equations, BlockMatri
   }
 }
 
-std::vector<double> Assembly::next_pair_pressures(const State& state, const ContactSums& contact, const Eigen::VectorXd& step, double length) const {
+std::vector<double> Assembly::next_pair_pressures(const State& state, const ContactSums& contact, const Increment& step, double length) const {
   std::vector<double> pressures = state.pair_pressures;
   for (double& t : pressures) t *= 1 - length;  // of a point that is let go
   for (const auto& place : contact.pairs) {
     double opening = 0;
-    for (int a = 0; a < 6; ++a) opening += place.point.gap_by_corners.segment<3>(3 * a).dot(step.segment<3>(4 * place.nodes[a]));
+    for (int a = 0; a < 6; ++a) opening += place.point.gap_by_corners.segment<3>(3 * a).dot(step.nodal.segment<3>(4 * place.nodes[a]));
     const double before = state.pair_pressures[place.at], after = std::max(0.0, place.point.pressure - place.point.stiffness * opening);
     pressures[place.at] = before + length * (after - before);
   }

@@ -183,3 +183,22 @@ TEST_F(CaseFile, ContactIsBetweenRegionsOfTheMesh) {
   EXPECT_TRUE(says(refusal(neo_hookean, with("self = \"tube\"\n")), "tube"));
   EXPECT_TRUE(says(refusal(neo_hookean, with("")), "two regions or of one with itself"));
 }
+
+TEST_F(CaseFile, PressureForceControlAndTurns) {
+  const auto pressed = read_whole(neo_hookean, base + "[[pressure]]\npressure_MPa = 0.001\n" + top);
+  ASSERT_EQ(pressed.model.pressures.size(), 1u);
+  EXPECT_EQ(pressed.model.pressures[0].faces.size(), 8u);  // 2 x 2 cells, two triangles each
+  EXPECT_EQ(pressed.model.pressures[0].value, 0.001);
+  EXPECT_TRUE(says(refusal(neo_hookean, base + "[[pressure]]\n" + top), "pressure_MPa"));
+  const std::string rod = "[tool]\nkind = \"rod\"\naim_mm = [0.1, 0.2, 5.0]\naxis = [0.0, 0.0, -1.0]\nradius_mm = 2.0\n";
+  const auto loaded = read_whole(neo_hookean, base + rod + "control = \"force\"\npath = [[0, 0], [2, 0.05], [4, 0.05]]\n");
+  EXPECT_TRUE(loaded.model.tools[0].force_controlled);
+  EXPECT_NEAR(loaded.model.tools[0].force * loaded.model.tools[0].ramp.at(1), 0.025, 1e-15);
+  EXPECT_EQ(loaded.steps.times.back(), 4);
+  EXPECT_TRUE(says(refusal(neo_hookean, base + rod + "control = \"force\"\ndepth_mm = 2.0\n"), "force_N"));
+  const auto turned = read_whole(neo_hookean, base + rod + "depth_mm = 1.0\nturn = { about = [0, 2, 0], from_tip_mm = [0, 0, 9], path = [[0, 0], [3, 90]] }\n");
+  EXPECT_NEAR(turned.model.tools[0].turn.at(1.5), M_PI / 4, 1e-12);
+  EXPECT_EQ(turned.model.tools[0].spin, Eigen::Vector3d::UnitY());
+  EXPECT_EQ(turned.steps.times.back(), 3);
+  EXPECT_TRUE(says(refusal(neo_hookean, base + rod + "depth_mm = 1.0\nturn = { about = [0, 2, 0], path = [[0, 10], [3, 90]] }\n"), "0 degrees"));
+}

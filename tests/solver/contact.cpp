@@ -26,9 +26,11 @@ struct Touching {
     for (int q = 0; q < contact::points_per_face; ++q)
       slips[q] = {contact::place(tool, 0, rest, q), Vector3d(0.001, -0.002, 0.0003)};
   }
+  contact::Pose pose;
+
   contact::FaceContact operator()(const std::array<Vector3d, 3>& corners) const {
     contact::Face face{rest, corners, pressures.data(), tool.friction > 0 ? slips.data() : nullptr};
-    return contact::face_contact(tool, 0, face, softness);
+    return contact::face_contact(tool, pose, face, softness);
   }
 };
 
@@ -51,6 +53,30 @@ void expect_tangent(const Touching& touching) {
 TEST(FaceContact, TangentIsTheDerivativeWithoutFriction) { expect_tangent(Touching(0)); }
 TEST(FaceContact, TangentIsTheDerivativeWhileSlipping) { expect_tangent(Touching(0.05)); }
 TEST(FaceContact, TangentIsTheDerivativeWhileSticking) { expect_tangent(Touching(std::numeric_limits<double>::infinity())); }
+
+TEST(FaceContact, TangentIsTheDerivativeUnderATurnedTool) {
+  Touching touching(std::numeric_limits<double>::infinity());
+  touching.tool.spin = Vector3d(1, 2, 2) / 3;
+  touching.tool.pivot = {0.002, 0.003, 30};  // near the ball's middle: it stays about where it is
+  touching.pose = {0.001, 0.3};
+  expect_tangent(touching);
+}
+
+TEST(FaceContact, WhatMovesWithATurningToolStays) {
+  Touching touching(1);
+  touching.tool.spin = Vector3d(1, 2, 2) / 3;
+  touching.tool.pivot = {3, -2, 1};
+  const contact::Pose later{0.7, 1.1};
+  const auto Q = touching.tool.rotation(later.angle);
+  auto moved = touching.now;
+  for (auto& x : moved)
+    x = Q * (x - touching.tool.first_contact - touching.tool.pivot) + touching.tool.pivot_now(later);
+  const auto before = touching(touching.now);
+  touching.pose = later;
+  const auto after = touching(moved);
+  ASSERT_GT(before.force.norm(), 0);
+  EXPECT_LE((after.force - Q * before.force).norm(), 1e-9 * before.force.norm());
+}
 
 TEST(FaceContact, ShearStaysInCoulombsCone) {
   const Touching slipping(0.05), sticking(std::numeric_limits<double>::infinity());

@@ -51,4 +51,21 @@ inline implicit::Model without(const implicit::Model& whole, const std::function
   return model;
 }
 
+/// A tube around the z axis from z = 0 to `length`, its circle a polygon of `around` sides.
+inline implicit::Model tube(double inner, double outer, double length, int around, int across, int along) {
+  auto model = brick(uniform(0, around, around), uniform(inner, outer, across), uniform(0, length, along));
+  std::map<int, int> twin;  // the last column of nodes is the first one
+  for (std::size_t i = 0; i < model.points.size(); ++i)
+    if (model.points[i].x() > around - 0.5) twin[i] = i - around;
+  for (auto& tet : model.tets)
+    for (int& node : tet)
+      if (twin.contains(node)) node = twin[node];
+  for (auto& x : model.points) {
+    const double angle = 2 * M_PI * x.x() / around, r = x.y();
+    x = {r * std::cos(angle), r * std::sin(angle), x.z()};
+  }
+  orient(model);
+  return without(model, [](const Vector3d&) { return false; });
+}
+
 }  // namespace palpate::verify

@@ -135,20 +135,7 @@ namespace {
 
 /// A ring of radii 2 and 3.5 mm, 1.2 mm wide, between flat plates that come together; it neither leaves the plane of its axis nor slides along x.
 implicit::Model flattened_ring(double way) {
-  constexpr int around = 28;
-  auto model = brick(uniform(0, around, around), uniform(2, 3.5, 3), uniform(0, 1.2, 2));
-  std::map<int, int> twin;  // the last column of nodes is the first one
-  for (std::size_t i = 0; i < model.points.size(); ++i)
-    if (model.points[i].x() > around - 0.5) twin[i] = i - around;
-  for (auto& tet : model.tets)
-    for (int& node : tet)
-      if (twin.contains(node)) node = twin[node];
-  for (auto& x : model.points) {
-    const double angle = 2 * M_PI * x.x() / around, r = x.y();
-    x = {r * std::cos(angle), r * std::sin(angle), x.z()};
-  }
-  orient(model);
-  model = without(model, [](const Vector3d&) { return false; });
+  auto model = tube(2, 3.5, 1.2, 28, 3, 2);
   model.materials = {material("neo_hookean", {mu})};
   hold(model, 2, [](const Vector3d&) { return true; });
   hold(model, 0, [](const Vector3d& x) { return std::abs(x.x()) < 1e-6; });
