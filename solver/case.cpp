@@ -126,6 +126,7 @@ void copy_geometry(const TetMesh& mesh, implicit::Model& model, const std::files
 
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override) {
   const Settings settings = Settings::read(path);
+  settings.text("scheme", "implicit");
   if (settings.text("schema") != "palpate-case/1")
     throw Failure(ExitCode::misuse, "not a case this version reads", settings.where("schema"), "schema = \"palpate-case/1\"");
   Case c;

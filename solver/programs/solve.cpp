@@ -1,6 +1,7 @@
 // palpate-solve: presses an organ with rigid tools.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/command.hpp>
+#include <solver/explicit/report.hpp>
 #include <solver/results.hpp>
 
 #include <sstream>
@@ -13,7 +14,8 @@ void usage(Usage& u) {
   u.details =
       "Implicit, quasi-static, incompressible or nearly so: the P1+/P1 mini-element, Newton's method with the consistent tangent, load\n"
       "steps that are halved when they fail. Tools move along their axes from where they first touch the organ, after gravity if there is\n"
-      "any; patches of the surface are held, moved, loaded or sprung. `palpate list` shows laws and tools with their parameters.";
+      "any; patches of the surface are held, moved, loaded or sprung. scheme = \"explicit\": a thin wall (palpate-mesh --kind shell) between\n"
+      "two jaws, central differences, until the walls touch. `palpate list` shows laws and tools with their parameters.";
   u.input("case", "case.toml", "the case: mesh, [material], what holds, loads and presses, [steps]");
   u.output("result", "result", "history.csv, frames.pvd with frames/*.vtu for ParaView, summary.json", ArgumentKind::folder);
   u.file("mesh", "the mesh to use instead of the one the case names");
@@ -67,6 +69,7 @@ void settle(Case& the_case, implicit::Equilibrium& equilibrium, implicit::State&
 }  // namespace
 
 void run(Command& c) {
+  if (explicit_shell::is_explicit(c.input("case"))) return explicit_shell::solve(c);
   Case the_case = read_case(c.input("case"), c.has("mesh") ? c.file("mesh") : "");
   if (!c.has("mesh")) c.add_input("mesh", the_case.mesh_path);
   for (std::size_t i = 0; i < the_case.tool_files.size(); ++i) c.add_input("tool " + std::to_string(i + 1), the_case.tool_files[i]);

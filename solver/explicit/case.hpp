@@ -1,0 +1,34 @@
+// A case of the explicit scheme (scheme = "explicit"): a thin wall between two jaws.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <filesystem>
+
+#include <palpate/json.hpp>
+#include <palpate/settings.hpp>
+#include <solver/explicit/jaws.hpp>
+
+namespace palpate::explicit_shell {
+
+struct Case {
+  std::filesystem::path mesh_path;
+  ShellMesh mesh;
+  Wall wall;
+  Holds holds;
+  Clamp clamp;
+  Json law;                 ///< name and parameters, for the summary
+  double duration = 0;      ///< s; 0: the closing and a tenth more
+  double safety = 0.7;      ///< of the stable step: what is left carries the contact's penalties
+  double damping = 10;      ///< 1/s, of all velocities of the wall
+  double self_friction = 0;
+  double least_step = 0;    ///< s: nodes get mass until every triangle is stable with it; 0: none
+  int frames = 10, rows = 200;
+  bool keep_partial = false;
+};
+
+/// True when the case file says scheme = "explicit".
+bool is_explicit(const std::filesystem::path& path);
+
+/// Throws Failure(misuse) for keys, values and names, with line; Failure(unreadable) for the mesh.
+Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override);
+
+}  // namespace palpate::explicit_shell

@@ -1,0 +1,53 @@
+// Closing the jaws on a wall, step by step, with what is reported on the way.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <string>
+
+#include <solver/explicit/case.hpp>
+#include <solver/explicit/self_contact.hpp>
+#include <solver/explicit/wall_fields.hpp>
+
+namespace palpate::explicit_shell {
+
+/// A row of the history: forces are means since the last row.
+struct Row {
+  double time = 0, travel = 0, gap = 0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< by the upper jaw on the wall, N
+  double closing_force = 0;  ///< along its axis, N
+  double jaw_area = 0;       ///< of the wall in contact with the upper jaw, mm²
+  double self_area = 0;      ///< of the wall in contact with itself, mm²
+  long cycles = 0;
+  double step = 0;           ///< s
+  Ledger ledger;
+};
+
+struct Closing {
+  explicit Closing(Case& the_case, int threads);
+
+  Case& c;
+  Motion motion;
+  Jaws jaws;
+  SelfContact self;
+  double end = 0;         ///< s
+  long cycles = 0;
+  double worst_imbalance = 0;  ///< of the largest internal energy so far
+  double peak_internal = 0;
+  double worst_kinetic = 0;    ///< wall's kinetic over internal energy after a tenth of the closing
+
+  /// Runs to the end. `row` is called at even times, `frame` at even times of its own and at the end. Throws Failure(not_converged)
+  /// naming the triangle, where and why: the step collapsed, the wall is no longer finite, energy drifts.
+  void run(const std::function<void(const Row&)>& row, const std::function<void(const Row&)>& frame);
+
+  /// Normal force of jaws and self-contact on each node over its area, MPa.
+  std::vector<double> contact_pressure() const;
+
+ private:
+  double advance(double dt);
+  void contact();
+  void judge(const Row& row);
+  double step_ = 0, stiffness_ = 0, smallest_step_ = 0;
+  std::vector<double> node_area_;
+};
+
+}  // namespace palpate::explicit_shell

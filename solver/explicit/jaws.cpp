@@ -1,0 +1,117 @@
+// Penalty forces normal to a rounded block, regularised Coulomb friction, and the jaw's own motion.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/explicit/jaws.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+#include <palpate/errors.hpp>
+
+namespace palpate::explicit_shell {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double sticking_speed = 1;  ///< mm/s below which friction grows with the speed
+
+Vector3d vector(const Lanes& a) { return {a[0], a[1], a[2]}; }
+
+/// Smooth from 0 to 1, with velocity and acceleration zero at both ends.
+double smooth(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10 + s * (6 * s - 15));
+}
+
+}  // namespace
+
+Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
+  for (const auto& shape : tools::all())
+    if (shape.entry.name == "box") block_ = shape;
+  parameters_ = {clamp.width, clamp.length, clamp.height, clamp.edge_radius};
+  const Vector3d up = -clamp.axis, along = (clamp.along - clamp.along.dot(up) * up).normalized();
+  double top = -1e30, bottom = 1e30;
+  for (std::size_t i = 0; i < wall.rest.size(); ++i) {
+    const Vector3d x = vector(wall.rest[i]) - clamp.centre;
+    if (std::abs(x.dot(along)) > clamp.length / 2 || std::abs(x.dot(along.cross(up))) > clamp.width / 2) continue;
+    top = std::max(top, x.dot(up) + wall.thickness[i] / 2);
+    bottom = std::min(bottom, x.dot(up) - wall.thickness[i] / 2);
+  }
+  if (!(top > bottom)) throw Failure(ExitCode::misuse, "the jaws miss the wall: nothing of it lies between them", "", "[clamp] centre_mm on the tube's centre line");
+  start_gap_ = clamp.open.value_or(top - bottom);
+  if (start_gap_ < (top - bottom) * (1 - 1e-9)) {
+    std::ostringstream text;
+    text << "the jaws start inside the wall: " << start_gap_ << " mm apart, and the wall is " << top - bottom << " mm from outside to outside";
+    throw Failure(ExitCode::misuse, text.str(), "", "a larger open_mm, or leave it out: both jaws then touch the wall");
+  }
+  if (!(clamp.gap < start_gap_)) throw Failure(ExitCode::misuse, "the jaws are to stop farther apart than they start", "", "a smaller gap_mm");
+  const double middle = (top + bottom) / 2;
+  for (int j : {0, 1}) {
+    const Vector3d back = j == 0 ? up : -up;
+    jaws_[j].face = clamp.centre + middle * up + start_gap_ / 2 * back;
+    jaws_[j].frame << along.cross(back).normalized(), along, back;
+    forces_[j].setZero();
+  }
+}
+
+double Jaws::closing_time() const { return (start_gap_ - clamp_.gap) / clamp_.speed; }
+
+double Jaws::kinetic() const { return clamp_.pressure ? 0.5 * clamp_.mass * velocity_ * velocity_ : 0; }
+
+tools::Distance Jaws::distance(const Jaw& jaw, const Vector3d& x) const {
+  auto d = block_.distance(jaw.frame.transpose() * (x - jaw.face), parameters_);
+  d.n = jaw.frame * d.n;
+  return d;
+}
+
+void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force) {
+  touched_.clear();
+  const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
+  for (int j : {0, 1}) {
+    forces_[j].setZero();
+    const Vector3d jaw_velocity = j == 0 ? Vector3d(velocity_ * clamp_.axis) : Vector3d(Vector3d::Zero());
+    const Lanes face{jaws_[j].face[0], jaws_[j].face[1], jaws_[j].face[2], 0}, back{jaws_[j].frame(0, 2), jaws_[j].frame(1, 2), jaws_[j].frame(2, 2), 0};
+    for (std::size_t i = 0; i < state.x.size(); ++i) {
+      const Lanes from = state.x[i] - face;
+      if (dot3(from, back) < -wall.thickness[i] / 2 || dot3(from, from) > reach * reach) continue;
+      const auto d = distance(jaws_[j], vector(state.x[i]));
+      const double depth = wall.thickness[i] / 2 - d.g;
+      if (!(depth > 0)) continue;
+      const double normal = stiffness * wall.mass[i] * depth;
+      Vector3d f = normal * d.n;
+      if (clamp_.friction > 0) {
+        const Vector3d v = vector(state.v[i]) - jaw_velocity, slip = v - v.dot(d.n) * d.n;
+        f -= clamp_.friction * normal / std::max(slip.norm(), sticking_speed) * slip;
+      }
+      force[i] += Lanes{f[0], f[1], f[2], 0};
+      forces_[j] += f;
+      deepest_ = std::max(deepest_, depth);
+      if (j == 0) touched_.push_back(static_cast<int>(i));
+    }
+  }
+}
+
+double Jaws::move(double time, double dt) {
+  const double before = travel_, farthest = start_gap_ - clamp_.gap;
+  if (clamp_.pressure) {
+    const double push = *clamp_.pressure * clamp_.width * clamp_.length;
+    velocity_ += dt * (push - closing_force() - clamp_.jaw_damping * velocity_) / clamp_.mass;
+    travel_ += dt * velocity_;
+  } else {
+    travel_ = farthest * smooth((time + dt) / closing_time());
+    velocity_ = (travel_ - before) / dt;
+  }
+  if (travel_ >= farthest) travel_ = farthest, velocity_ = 0;
+  const double step = travel_ - before;
+  jaws_[0].face += step * clamp_.axis;
+  return closing_force() * step;
+}
+
+std::vector<Vector3d> Jaws::corners() const {
+  std::vector<Vector3d> points;
+  for (const auto& jaw : jaws_)
+    for (int k = 0; k < 8; ++k)
+      points.push_back(jaw.face + jaw.frame * Vector3d((k & 1 ? 0.5 : -0.5) * clamp_.width, (k & 2 ? 0.5 : -0.5) * clamp_.length, (k & 4 ? 1 : 0) * clamp_.height));
+  return points;
+}
+
+}  // namespace palpate::explicit_shell

@@ -1,0 +1,67 @@
+// A pair of rigid jaws that close on a tube: the lower one rests, the upper one moves along its axis, by a motion or by a pressure on its mass.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Dense>
+#include <optional>
+
+#include <solver/contact/tool.hpp>
+#include <solver/explicit/motion.hpp>
+
+namespace palpate::explicit_shell {
+
+/// What a person says of the clamp. Lengths in mm.
+struct Clamp {
+  Eigen::Vector3d centre, axis;  ///< a point between the jaws; where the upper jaw goes
+  Eigen::Vector3d along;         ///< the tube's direction
+  double width = 40, length = 10, height = 10, edge_radius = 1;  ///< across the tube, along it, along the axis
+  double gap = 2;                ///< between the faces when the jaw is stopped
+  std::optional<double> open;    ///< between the faces at the start; by default both touch the wall
+  double friction = 0;
+  double speed = 50;             ///< mm/s, of the motion: mean over the closing
+  std::optional<double> pressure;  ///< MPa on the upper jaw instead of a motion
+  double mass = 3e-5;            ///< tonne
+  double jaw_damping = 0;        ///< N s/mm against the jaw's velocity
+};
+
+class Jaws {
+ public:
+  /// Places the jaws. Throws Failure(misuse): they start inside the wall, miss it, or are to stop farther apart than they start.
+  Jaws(const Clamp& clamp, const Wall& wall);
+
+  double start_gap() const { return start_gap_; }
+  double gap() const { return start_gap_ - travel_; }
+  double travel() const { return travel_; }
+  double closing_time() const;  ///< s, of a prescribed motion
+  double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
+
+  /// Adds forces on the wall's nodes within half a thickness of a face; `stiffness` per mass, 1/s².
+  void touch(const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force);
+  /// Moves the upper jaw from `time` by dt; returns the work it did on the wall and on what is stored between them.
+  double move(double time, double dt);
+
+  Eigen::Vector3d force_on_wall() const { return forces_[0]; }         ///< by the upper jaw, at the last touch(), N
+  double closing_force() const { return forces_[0].dot(clamp_.axis); }
+  const std::vector<int>& touched() const { return touched_; }         ///< nodes on the upper jaw at the last touch()
+  double deepest() const { return deepest_; }                          ///< penetration of half a thickness at a node so far, mm
+  bool stopped() const { return gap() <= clamp_.gap * (1 + 1e-9); }
+
+  /// Corners of the two blocks for a picture: eight each, the upper first.
+  std::vector<Eigen::Vector3d> corners() const;
+
+ private:
+  struct Jaw {
+    Eigen::Vector3d face;    ///< the middle of its face
+    Eigen::Matrix3d frame;   ///< columns: across, along, back into the block
+  };
+  tools::Distance distance(const Jaw& jaw, const Eigen::Vector3d& x) const;
+
+  Clamp clamp_;
+  tools::Shape block_;
+  std::vector<double> parameters_;
+  std::array<Jaw, 2> jaws_;
+  std::array<Eigen::Vector3d, 2> forces_;
+  std::vector<int> touched_;
+  double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0;
+};
+
+}  // namespace palpate::explicit_shell

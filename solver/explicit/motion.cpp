@@ -1,0 +1,162 @@
+// One step: nodes, directors, triangles, each shared among a team of threads that waits at a barrier.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/explicit/motion.hpp>
+
+#include <algorithm>
+#include <barrier>
+#include <thread>
+
+namespace palpate::explicit_shell {
+
+/// Threads that all call the same piece of work with their number, between two barriers.
+struct Motion::Team {
+  explicit Team(int size) : begin(size), end(size) {
+    for (int t = 1; t < size; ++t)
+      threads.emplace_back([this, t] {
+        for (;;) {
+          begin.arrive_and_wait();
+          if (done) return;
+          work(t);
+          end.arrive_and_wait();
+        }
+      });
+  }
+  ~Team() {
+    done = true;
+    begin.arrive_and_wait();
+    for (auto& thread : threads) thread.join();
+  }
+  void run(const std::function<void(int)>& f) {
+    work = f;
+    begin.arrive_and_wait();
+    f(0);
+    end.arrive_and_wait();
+  }
+  std::barrier<> begin, end;
+  std::function<void(int)> work;
+  bool done = false;
+  std::vector<std::thread> threads;
+};
+
+Holds no_holds(const Wall& wall) {
+  return {std::vector<Hold>(wall.rest.size(), Hold::free), std::vector<Lanes>(wall.rest.size(), Lanes{}), std::vector<char>(wall.edges.size(), 0)};
+}
+
+namespace {
+
+Lanes held(const Lanes& v, Hold hold, const Lanes& direction) {
+  switch (hold) {
+    case Hold::free: return v;
+    case Hold::along: return dot3(v, direction) * direction;
+    case Hold::across: return v - dot3(v, direction) * direction;
+    case Hold::fixed: return Lanes{};
+  }
+  return v;
+}
+
+}  // namespace
+
+Motion::Motion(const Wall& wall, Holds holds, int threads)
+    : state(rest_state(wall)), wall_(wall), holds_(std::move(holds)), slots_(make_slots(wall)) {
+  outside = {std::vector<Lanes>(wall.rest.size(), Lanes{}), std::vector<Lanes>(wall.rest.size(), Lanes{}), std::vector<double>(wall.edges.size(), 0)};
+  work_.assign(3 * wall.rest.size(), 0);
+  edge_work_.assign(2 * wall.edges.size(), 0);
+  for (const auto& [a, b] : wall.edges) {
+    const Lanes t = state.x[b] - state.x[a];
+    tangent_.push_back(t / length3(t));
+  }
+  if (threads > 1) team_ = std::make_unique<Team>(threads);
+  wall_forces(wall_, state, 0, static_cast<int>(wall_.packs.size()), slots_);
+}
+
+Motion::~Motion() = default;
+
+void Motion::phase(int count, int grain, const std::function<void(int, int)>& work) {
+  if (!team_ || count < 4 * grain) return work(0, count);
+  const int threads = static_cast<int>(team_->threads.size()) + 1;
+  team_->run([&](int t) {
+    work(static_cast<int>(static_cast<long long>(count) * t / threads), static_cast<int>(static_cast<long long>(count) * (t + 1) / threads));
+  });
+}
+
+void Motion::move_nodes(int from, int to, double dt, double dt_mid) {
+  const double slow = 1 - damping * dt_mid / 2, over = 1 / (1 + damping * dt_mid / 2);
+  for (int i = from; i < to; ++i) {
+    Lanes inner{};
+    for (int s = wall_.node_slots.start[i]; s < wall_.node_slots.start[i + 1]; ++s) inner += slots_.force[wall_.node_slots.entries[s]];
+    const Lanes force = outside.load[i] + outside.contact[i] - inner, before = state.v[i];
+    const Lanes v = held((slow * before + (dt_mid / wall_.mass[i]) * force) * over, holds_.hold[i], holds_.direction[i]);
+    const Lanes mean = 0.5 * (before + v);
+    work_[3 * i] += dt_mid * dot3(outside.load[i], mean);
+    work_[3 * i + 1] += dt_mid * dot3(outside.contact[i], mean);
+    work_[3 * i + 2] += dt_mid * damping * wall_.mass[i] * dot3(mean, mean);
+    state.v[i] = v;
+    state.x[i] += dt * v;
+  }
+}
+
+void Motion::turn_edges(int from, int to, double dt, double dt_mid) {
+  const double slow = 1 - damping * dt_mid / 2, over = 1 / (1 + damping * dt_mid / 2);
+  for (int e = from; e < to; ++e) {
+    double inner = 0;
+    for (int s = wall_.edge_slots.start[e]; s < wall_.edge_slots.start[e + 1]; ++s) inner += slots_.moment[wall_.edge_slots.entries[s]];
+    const double before = state.spin[e];
+    double spin = (slow * before + (dt_mid / wall_.inertia[e]) * (outside.moment[e] - inner)) * over;
+    if (holds_.edge_fixed[e]) spin = 0;
+    edge_work_[2 * e] += dt_mid * outside.moment[e] * (before + spin) / 2;
+    edge_work_[2 * e + 1] += dt_mid * damping * wall_.inertia[e] * (before + spin) * (before + spin) / 4;
+    state.spin[e] = spin;
+    const Lanes along = state.x[wall_.edges[e][1]] - state.x[wall_.edges[e][0]], t = along / length3(along);
+    const Lanes& t0 = tangent_[e];
+    Lanes d = state.director[e];
+    d -= dot3(d, t) / (1 + dot3(t0, t)) * (t0 + t);  // the smallest turn that takes t0 to t
+    const double angle = spin * dt;
+    d = std::cos(angle) * d + std::sin(angle) * cross3(t, d);
+    d -= dot3(d, t) * t;
+    state.director[e] = d / length3(d);
+    tangent_[e] = t;
+  }
+}
+
+void Motion::step(double dt) {
+  const double dt_mid = dt_before_ > 0 ? (dt_before_ + dt) / 2 : dt / 2;  // from rest, velocities begin half a step later
+  phase(static_cast<int>(wall_.rest.size()), 256, [&](int from, int to) { move_nodes(from, to, dt, dt_mid); });
+  phase(static_cast<int>(wall_.edges.size()), 256, [&](int from, int to) { turn_edges(from, to, dt, dt_mid); });
+  phase(static_cast<int>(wall_.packs.size()), 32, [&](int from, int to) { wall_forces(wall_, state, from, to, slots_); });
+  time_ += dt;
+  dt_before_ = dt;
+}
+
+Ledger Motion::ledger() const {
+  Ledger l;
+  for (std::size_t i = 0; i < wall_.rest.size(); ++i) {
+    l.external += work_[3 * i];
+    l.contact -= work_[3 * i + 1];
+    l.damping += work_[3 * i + 2];
+    l.kinetic += 0.5 * wall_.mass[i] * dot3(state.v[i], state.v[i]);
+  }
+  for (std::size_t e = 0; e < wall_.edges.size(); ++e) {
+    l.external += edge_work_[2 * e];
+    l.damping += edge_work_[2 * e + 1];
+    l.kinetic += 0.5 * wall_.inertia[e] * state.spin[e] * state.spin[e];
+  }
+  for (std::size_t t = 0; t < wall_.triangles.size(); ++t) l.internal += slots_.energy[t];
+  l.contact += tool_work_;
+  l.external += tool_work_;
+  return l;
+}
+
+std::pair<double, int> Motion::stable() const {
+  std::pair<double, int> smallest{std::numeric_limits<double>::infinity(), -1};
+  for (int t = 0; t < wall_.triangles.size(); ++t)
+    if (const double dt = stable_step(wall_, state, t); !(dt >= smallest.first)) smallest = {dt, t};
+  return smallest;
+}
+
+std::vector<Lanes> Motion::residual() const {
+  auto r = gathered(wall_, slots_).force;
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = held(r[i] + outside.load[i] + outside.contact[i], holds_.hold[i], holds_.direction[i]);
+  return r;
+}
+
+}  // namespace palpate::explicit_shell

@@ -1,0 +1,76 @@
+// Central differences: velocities at half steps, directors turned by their spin and carried with their edges; the energy ledger.
+// (Belytschko, Liu, Moran 2000, Nonlinear Finite Elements, box 6.1.)
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <memory>
+
+#include <solver/explicit/wall_forces.hpp>
+
+namespace palpate::explicit_shell {
+
+/// What a node may do.
+enum class Hold { free, along, across, fixed };  ///< `along`: only along the direction; `across`: only at right angles to it
+
+struct Holds {
+  std::vector<Hold> hold;        ///< one per node
+  std::vector<Lanes> direction;  ///< unit
+  std::vector<char> edge_fixed;  ///< directors that do not turn: clamped, or on a plane of symmetry
+};
+Holds no_holds(const Wall& wall);
+
+/// Energies and works since the start, N mm.
+struct Ledger {
+  double kinetic = 0, internal = 0;
+  double contact = 0;   ///< stored in penalties and lost in friction: what tools put in and the wall did not get
+  double damping = 0;
+  double external = 0;  ///< by loads and by tools
+  double imbalance() const { return external - kinetic - internal - contact - damping; }
+};
+
+/// Forces from outside at the present place: on nodes (N), on directors (N mm), and the power tools put in (N mm/s).
+struct Outside {
+  std::vector<Lanes> load, contact;
+  std::vector<double> moment;
+};
+
+class Motion {
+ public:
+  /// `threads` share the triangles. Forces at the start are found at once.
+  Motion(const Wall& wall, Holds holds, int threads);
+  ~Motion();
+
+  WallState state;
+  Outside outside;      ///< filled by the caller before step(); kept until changed
+  double damping = 0;   ///< 1/s, of all velocities
+
+  /// One step of length dt (s).
+  void step(double dt);
+  /// Adds what tools put in during the last step.
+  void add_tool_work(double work) { tool_work_ += work; }
+
+  double time() const { return time_; }
+  Ledger ledger() const;
+  const Slots& slots() const { return slots_; }
+  /// Smallest of all triangles' stable steps, and whose it is.
+  std::pair<double, int> stable() const;
+  /// Forces of the wall and of what is outside on the nodes; what a rest would make zero away from holds.
+  std::vector<Lanes> residual() const;
+
+ private:
+  void move_nodes(int from, int to, double dt, double dt_mid);
+  void turn_edges(int from, int to, double dt, double dt_mid);
+  void phase(int count, int grain, const std::function<void(int, int)>& work);
+
+  const Wall& wall_;
+  Holds holds_;
+  Slots slots_;
+  std::vector<Lanes> tangent_;  ///< of the edges, unit
+  std::vector<double> work_;    ///< per node: load, contact, damping
+  std::vector<double> edge_work_;
+  double time_ = 0, dt_before_ = 0, load_work_ = 0, contact_work_ = 0, damping_work_ = 0, tool_work_ = 0;
+  struct Team;
+  std::unique_ptr<Team> team_;
+};
+
+}  // namespace palpate::explicit_shell

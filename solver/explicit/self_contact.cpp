@@ -1,0 +1,195 @@
+// Grid search, the nearest point of a triangle, forces shared by its corners.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/explicit/self_contact.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace palpate::explicit_shell {
+namespace {
+
+/// Weights of the corners at the point of a triangle nearest to p (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+std::array<double, 3> nearest(const Lanes& p, const Lanes& a, const Lanes& b, const Lanes& c) {
+  const Lanes ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = dot3(ab, ap), d2 = dot3(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const Lanes bp = p - b;
+  const double d3 = dot3(ab, bp), d4 = dot3(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const Lanes cp = p - c;
+  const double d5 = dot3(ab, cp), d6 = dot3(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / (d4 - d3 + d5 - d6);
+    return {0, 1 - w, w};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+Lanes at(const std::vector<Lanes>& x, const std::array<int, 3>& t, const std::array<double, 3>& w) {
+  return w[0] * x[t[0]] + w[1] * x[t[1]] + w[2] * x[t[2]];
+}
+
+/// Cells of a cube's side over a box, with what lies in them.
+struct Grid {
+  Lanes low{};
+  double cell = 1;
+  std::array<int, 3> size{1, 1, 1};
+  std::vector<int> start, members;
+
+  int along(double v, int axis) const { return std::clamp(static_cast<int>((v - low[axis]) / cell), 0, size[axis] - 1); }
+  int number(int i, int j, int k) const { return (k * size[1] + j) * size[0] + i; }
+
+  template <class Visit>
+  void visit(const Lanes& from, const Lanes& to, const Visit& f) const {
+    for (int k = along(from[2], 2); k <= along(to[2], 2); ++k)
+      for (int j = along(from[1], 1); j <= along(to[1], 1); ++j)
+        for (int i = along(from[0], 0); i <= along(to[0], 0); ++i) f(number(i, j, k));
+  }
+};
+
+Grid grid_of(const std::vector<Lanes>& points, double cell) {
+  Grid g;
+  Lanes high = g.low = points.front();
+  for (const Lanes& p : points)
+    for (int c = 0; c < 3; ++c) g.low[c] = std::min(g.low[c], p[c]), high[c] = std::max(high[c], p[c]);
+  g.cell = cell;
+  for (int c = 0; c < 3; ++c) g.size[c] = std::max(1, static_cast<int>((high[c] - g.low[c]) / cell) + 1);
+  g.start.assign(static_cast<std::size_t>(g.size[0]) * g.size[1] * g.size[2] + 1, 0);
+  std::vector<int> cells;
+  for (const Lanes& p : points) {
+    cells.push_back(g.number(g.along(p[0], 0), g.along(p[1], 1), g.along(p[2], 2)));
+    ++g.start[cells.back() + 1];
+  }
+  for (std::size_t i = 1; i < g.start.size(); ++i) g.start[i] += g.start[i - 1];
+  g.members.resize(points.size());
+  std::vector<int> next(g.start.begin(), g.start.end() - 1);
+  for (int i = 0; i < points.size(); ++i) g.members[next[cells[i]]++] = i;
+  return g;
+}
+
+void box_of(const std::vector<Lanes>& x, const std::array<int, 3>& t, double margin, Lanes& low, Lanes& high) {
+  low = high = x[t[0]];
+  for (int i : t)
+    for (int c = 0; c < 3; ++c) low[c] = std::min(low[c], x[i][c]), high[c] = std::max(high[c], x[i][c]);
+  low -= margin, high += margin;
+}
+
+bool has(const std::array<int, 3>& t, int i) { return t[0] == i || t[1] == i || t[2] == i; }
+
+/// Does the edge p–q pass through the triangle?
+bool pierces(const Lanes& p, const Lanes& q, const Lanes& a, const Lanes& b, const Lanes& c) {
+  const Lanes n = cross3(b - a, c - a);
+  const double hp = dot3(p - a, n), hq = dot3(q - a, n);
+  if ((hp > 0) == (hq > 0)) return false;
+  const Lanes x = p + hp / (hp - hq) * (q - p);
+  return dot3(cross3(b - a, x - a), n) >= 0 && dot3(cross3(c - b, x - b), n) >= 0 && dot3(cross3(a - c, x - c), n) >= 0;
+}
+
+}  // namespace
+
+SelfContact::SelfContact(const Wall& wall) : wall_(wall) {
+  node_area_.assign(wall.rest.size(), 0);
+  for (const auto& t : wall.triangles) {
+    const double area = length3(cross3(wall.rest[t[1]] - wall.rest[t[0]], wall.rest[t[2]] - wall.rest[t[0]])) / 2;
+    for (int i : t) node_area_[i] += area / 3;
+  }
+  for (double t : wall.thickness) reach_ = std::max(reach_, t);
+  skin_ = reach_ / 2;
+}
+
+void SelfContact::search(const WallState& state) {
+  ++searches_;
+  searched_at_ = state.x;
+  pairs_.clear();
+  const double margin = reach_ + skin_;
+  const Grid grid = grid_of(state.x, std::max(2 * margin, 1e-6));
+  for (int t = 0; t < wall_.triangles.size(); ++t) {
+    const auto& corners = wall_.triangles[t];
+    Lanes low, high;
+    box_of(state.x, corners, margin, low, high);
+    grid.visit(low, high, [&](int cell) {
+      for (int m = grid.start[cell]; m < grid.start[cell + 1]; ++m) {
+        const int i = grid.members[m];
+        const Lanes& p = state.x[i];
+        if (p[0] < low[0] || p[1] < low[1] || p[2] < low[2] || p[0] > high[0] || p[1] > high[1] || p[2] > high[2]) continue;
+        if (has(corners, i)) continue;
+        // what is this near at rest is the wall's own neighbourhood: its bending keeps it apart
+        const Lanes& r = wall_.rest[i];
+        const auto w0 = nearest(r, wall_.rest[corners[0]], wall_.rest[corners[1]], wall_.rest[corners[2]]);
+        if (length3(r - at(wall_.rest, corners, w0)) < 1.5 * reach_) continue;
+        const auto w = nearest(p, state.x[corners[0]], state.x[corners[1]], state.x[corners[2]]);
+        if (length3(p - at(state.x, corners, w)) < margin) pairs_.push_back({i, t});
+      }
+    });
+  }
+}
+
+void SelfContact::touch(const WallState& state, double stiffness, double friction, std::vector<Lanes>& force) {
+  double moved = searched_at_.empty() ? 1e30 : 0;
+  if (moved == 0)
+    for (std::size_t i = 0; i < state.x.size(); ++i) {
+      const Lanes d = state.x[i] - searched_at_[i];
+      moved = std::max(moved, dot3(d, d));
+    }
+  if (moved > skin_ * skin_ / 4) search(state);
+  active_ = 0, area_ = 0;
+  std::vector<char> counted;
+  for (const Pair& pair : pairs_) {
+    const auto& t = wall_.triangles[pair.triangle];
+    const Lanes& p = state.x[pair.node];
+    const auto w = nearest(p, state.x[t[0]], state.x[t[1]], state.x[t[2]]);
+    const Lanes apart = p - at(state.x, t, w);
+    const double distance = length3(apart);
+    const double wanted = (wall_.thickness[pair.node] + w[0] * wall_.thickness[t[0]] + w[1] * wall_.thickness[t[1]] + w[2] * wall_.thickness[t[2]]) / 2;
+    if (!(distance < wanted) || !(distance > 0)) continue;
+    if (counted.empty()) counted.assign(state.x.size(), 0);
+    ++active_;
+    if (!counted[pair.node]) area_ += node_area_[pair.node], counted[pair.node] = 1;
+    double softness = 1 / wall_.mass[pair.node];
+    for (int k = 0; k < 3; ++k) softness += w[k] * w[k] / wall_.mass[t[k]];
+    const double normal = stiffness / softness * (wanted - distance);
+    const Lanes n = apart / distance;
+    Lanes f = normal * n;
+    if (friction > 0) {
+      const Lanes v = state.v[pair.node] - at(state.v, t, w), slip = v - dot3(v, n) * n;
+      f -= friction * normal / std::max(length3(slip), 1.0) * slip;
+    }
+    force[pair.node] += f;
+    for (int k = 0; k < 3; ++k) force[t[k]] -= w[k] * f;
+    deepest_ = std::max(deepest_, wanted - distance);
+  }
+}
+
+int crossings(const Wall& wall, const std::vector<Lanes>& x) {
+  double longest = 0;
+  for (const auto& [a, b] : wall.edges) longest = std::max(longest, length3(x[b] - x[a]));
+  std::vector<Lanes> centres;
+  for (const auto& t : wall.triangles) centres.push_back((x[t[0]] + x[t[1]] + x[t[2]]) / 3.0);
+  const Grid grid = grid_of(centres, longest);
+  int count = 0;
+  for (int t = 0; t < wall.triangles.size(); ++t) {
+    Lanes low, high;
+    box_of(x, wall.triangles[t], longest, low, high);
+    grid.visit(low, high, [&](int cell) {
+      for (int m = grid.start[cell]; m < grid.start[cell + 1]; ++m) {
+        const int s = grid.members[m];
+        const auto &A = wall.triangles[t], &B = wall.triangles[s];
+        if (s <= t || has(A, B[0]) || has(A, B[1]) || has(A, B[2])) continue;
+        bool crossed = false;
+        for (int k = 0; k < 3 && !crossed; ++k)
+          crossed = pierces(x[A[k]], x[A[(k + 1) % 3]], x[B[0]], x[B[1]], x[B[2]]) || pierces(x[B[k]], x[B[(k + 1) % 3]], x[A[0]], x[A[1]], x[A[2]]);
+        count += crossed;
+      }
+    });
+  }
+  return count;
+}
+
+}  // namespace palpate::explicit_shell

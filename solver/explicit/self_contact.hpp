@@ -1,0 +1,40 @@
+// The wall against itself: nodes against triangles, both faces half a thickness from the mid-surface, by penalties.
+// Pairs come from a grid and are kept until a node has moved far enough to make new ones. (Hallquist, Goudreau, Benson 1985, Comput.
+// Methods Appl. Mech. Eng. 51:107.)
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <solver/explicit/motion.hpp>
+
+namespace palpate::explicit_shell {
+
+class SelfContact {
+ public:
+  explicit SelfContact(const Wall& wall);
+
+  /// Adds forces on nodes; `stiffness` per mass, 1/s²; friction by Coulomb's coefficient.
+  void touch(const WallState& state, double stiffness, double friction, std::vector<Lanes>& force);
+
+  bool touching() const { return active_ > 0; }
+  double area() const { return area_; }         ///< of the nodes in contact at the last touch(), mm², at rest
+  double deepest() const { return deepest_; }   ///< of the contact distance so far, mm
+  long searches() const { return searches_; }
+
+ private:
+  struct Pair {
+    int node, triangle;
+  };
+  void search(const WallState& state);
+
+  const Wall& wall_;
+  std::vector<double> node_area_;
+  std::vector<Lanes> searched_at_;
+  std::vector<Pair> pairs_;
+  double skin_ = 0, reach_ = 0, area_ = 0, deepest_ = 0;
+  int active_ = 0;
+  long searches_ = 0;
+};
+
+/// Pairs of triangles without a common node that cross. For checks: exact enough for a count, not fast.
+int crossings(const Wall& wall, const std::vector<Lanes>& x);
+
+}  // namespace palpate::explicit_shell
