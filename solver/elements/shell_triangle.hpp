@@ -1,8 +1,10 @@
 // Three-node shell triangle: constant membrane strain, constant curvature from directors at the middles of the edges (Morley 1971),
 // finite rotations, hyperelastic through five points of the thickness. Decision 050.
-//   a = FᵀF,  h = Σ_k 2 tan(φ_k/2) (L_k/l_k) P_k,  P_k = (L_k/A) M_k ⊗ M_k,  C(ζ) = a + 2 ζ h − ζ (b0 a + a b0)
+//   a = FᵀF,  h = Σ_k 2 tan(φ_k/2) (L_k/l_k) P_k,  P_k = (L_k/A) M_k ⊗ M_k,  K = 2 h − (b0 a + a b0),
+//   C(ζ) = a + ζ K + ½ ζ² K a⁻¹ K σ²/(1 + σ²),  σ² = ζ² tr(K a⁻¹)²
 // φ_k: angle from the triangle's normal to the director of edge k; L, l, M: the edge's length at rest and now, its outward normal at
-// rest. h is the curvature times the stretch of the thickness, so C is linear in ζ as it is in Rivlin's bent block.
+// rest. h is the curvature times the stretch of the thickness, so C is linear in ζ as it is in Rivlin's bent block; the last term, of
+// fourth order, keeps C positive where a triangle is folded more sharply than its thickness allows.
 // (Morley, J. Strain Analysis 6:20; Providas & Kattis 1999, Comput. Mech. 24:208; Rivlin 1949, Proc. R. Soc. A 195:463.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -51,7 +53,10 @@ struct ShellStrain {
   std::array<Vector<T>, 3> edge;
   T twice_area;
   std::array<T, 3> length, f, f_slope;  ///< f = 2 tan(φ/2)
-  InPlane<T> a, K;                      ///< C(ζ) = a + ζ K
+  InPlane<T> a, K;
+  InPlane<T> inverse, Q;                ///< a⁻¹, K a⁻¹ K
+  T Bxx, Bxy, Byx, Byy;                 ///< a⁻¹ K
+  T k2;                                 ///< tr(K a⁻¹)²
 };
 
 template <class T>
@@ -77,24 +82,47 @@ PALPATE_INLINE ShellStrain<T> shell_strain(const ShellRest<T>& rest, const Shell
   const InPlane<T>&a = s.a, &b = rest.b0;
   s.K = {2.0 * (h.xx - b.xx * a.xx - b.xy * a.xy), 2.0 * (h.yy - b.xy * a.xy - b.yy * a.yy),
          2.0 * h.xy - b.xx * a.xy - b.xy * (a.xx + a.yy) - a.xy * b.yy};
+  const T over = 1.0 / (a.xx * a.yy - a.xy * a.xy);
+  s.inverse = {over * a.yy, over * a.xx, -over * a.xy};
+  s.Bxx = s.inverse.xx * s.K.xx + s.inverse.xy * s.K.xy, s.Bxy = s.inverse.xx * s.K.xy + s.inverse.xy * s.K.yy;
+  s.Byx = s.inverse.xy * s.K.xx + s.inverse.yy * s.K.xy, s.Byy = s.inverse.xy * s.K.xy + s.inverse.yy * s.K.yy;
+  s.Q = {s.K.xx * s.Bxx + s.K.xy * s.Byx, s.K.xy * s.Bxy + s.K.yy * s.Byy, s.K.xx * s.Bxy + s.K.xy * s.Byy};
+  s.k2 = s.Bxx * s.Bxx + 2.0 * (s.Bxy * s.Byx) + s.Byy * s.Byy;
   return s;
 }
 
 template <class T>
 PALPATE_INLINE InPlane<T> at_layer(const ShellStrain<T>& s, const T& zeta) {
-  return {s.a.xx + zeta * s.K.xx, s.a.yy + zeta * s.K.yy, s.a.xy + zeta * s.K.xy};
+  const T square = zeta * zeta, sigma2 = square * s.k2, q = 0.5 * square * sigma2 / (1.0 + sigma2);
+  return {s.a.xx + zeta * s.K.xx + q * s.Q.xx, s.a.yy + zeta * s.K.yy + q * s.Q.yy, s.a.xy + zeta * s.K.xy + q * s.Q.xy};
 }
 
-/// N = Σ w S, M = Σ w ζ S over the thickness, and the energy per area.
+/// Conjugate to ½ δa and ½ δK: N = Σ w S and M = Σ w ζ S over the thickness, with what C's last term adds; and the energy per area.
 template <class T>
 struct ShellStress {
   InPlane<T> N{T{}, T{}, T{}}, M{T{}, T{}, T{}};
   T W{};
 };
 
+/// H : δQ + r δk2 = (2 B H + 2 r a⁻¹ K a⁻¹) : δK − (B H Bᵀ + 2 r a⁻¹ Q a⁻¹) : δa, with B = a⁻¹ K.
+template <class T>
+PALPATE_INLINE void add_last_term(const ShellStrain<T>& s, const InPlane<T>& H, const T& r, ShellStress<T>& sum) {
+  const T BHxx = s.Bxx * H.xx + s.Bxy * H.xy, BHxy = s.Bxx * H.xy + s.Bxy * H.yy;
+  const T BHyx = s.Byx * H.xx + s.Byy * H.xy, BHyy = s.Byx * H.xy + s.Byy * H.yy;
+  const InPlane<T>& v = s.inverse;
+  const T two = 2.0 * r;  // a⁻¹ K a⁻¹ = B a⁻¹ and a⁻¹ Q a⁻¹ = B B a⁻¹
+  const T Vxx = s.Bxx * v.xx + s.Bxy * v.xy, Vxy = s.Bxx * v.xy + s.Bxy * v.yy, Vyy = s.Byx * v.xy + s.Byy * v.yy;
+  sum.M = {sum.M.xx + 2.0 * BHxx + two * Vxx, sum.M.yy + 2.0 * BHyy + two * Vyy, sum.M.xy + BHxy + BHyx + two * Vxy};
+  sum.N = {sum.N.xx - (BHxx * s.Bxx + BHxy * s.Bxy) - two * (s.Bxx * Vxx + s.Bxy * Vxy),
+           sum.N.yy - (BHyx * s.Byx + BHyy * s.Byy) - two * (s.Byx * Vxy + s.Byy * Vyy),
+           sum.N.xy - (BHxx * s.Byx + BHxy * s.Byy) - two * (s.Bxx * Vxy + s.Bxy * Vyy)};
+}
+
 template <class T, class Law>
 PALPATE_INLINE ShellStress<T> shell_stress(const ShellRest<T>& rest, const ShellStrain<T>& s, const Law& law) {
   ShellStress<T> sum;
+  InPlane<T> H{T{}, T{}, T{}};  // by Q
+  T r{};                        // by k2
   for (int i = 0; i < layers; ++i) {
     const T zeta = 0.5 * layer_place[i] * rest.thickness, w = 0.5 * layer_weight[i] * rest.thickness;
     const auto p = law(at_layer(s, zeta));
@@ -102,7 +130,11 @@ PALPATE_INLINE ShellStress<T> shell_stress(const ShellRest<T>& rest, const Shell
     sum.N = {sum.N.xx + S.xx, sum.N.yy + S.yy, sum.N.xy + S.xy};
     sum.M = {sum.M.xx + zeta * S.xx, sum.M.yy + zeta * S.yy, sum.M.xy + zeta * S.xy};
     sum.W += w * p.W;
+    const T square = zeta * zeta, over = 1.0 / (1.0 + square * s.k2), q = 0.5 * square * (square * s.k2) * over;
+    H = {H.xx + q * S.xx, H.yy + q * S.yy, H.xy + q * S.xy};
+    r += 0.5 * square * square * over * over * (S.xx * s.Q.xx + S.yy * s.Q.yy + 2.0 * (S.xy * s.Q.xy));
   }
+  add_last_term(s, H, r, sum);
   return sum;
 }
 

@@ -26,7 +26,8 @@ ShellLaw read_law(const Settings& settings, Json& facts) {
   std::vector<std::string> names;
   for (const auto& [name, make] : shell_laws) names.push_back(name);
   const std::string name = settings.choice("law", names);
-  const auto& law = named(materials::all(), settings, "law");
+  const auto laws = materials::all();
+  const auto& law = named(laws, settings, "law");
   const auto values = parameters(law.entry, settings);
   for (const char* key : {"kappa", "D1", "D2", "D3"})
     if (settings.has(key))
@@ -101,11 +102,6 @@ void scale_mass(Wall& wall, double least_step) {
 }
 
 }  // namespace
-
-bool is_explicit(const std::filesystem::path& path) {
-  const Settings settings = Settings::read(path);
-  return settings.has("scheme") && settings.choice("scheme", {"implicit", "explicit"}) == "explicit";
-}
 
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override) {
   const Settings settings = Settings::read(path);

@@ -25,9 +25,6 @@ struct Case {
   bool keep_partial = false;
 };
 
-/// True when the case file says scheme = "explicit".
-bool is_explicit(const std::filesystem::path& path);
-
 /// Throws Failure(misuse) for keys, values and names, with line; Failure(unreadable) for the mesh.
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override);
 

@@ -45,7 +45,7 @@ struct Closing {
  private:
   double advance(double dt);
   void contact();
-  void judge(const Row& row);
+  void judge();
   double step_ = 0, stiffness_ = 0, smallest_step_ = 0;
   std::vector<double> node_area_;
 };

@@ -110,8 +110,8 @@ void Motion::turn_edges(int from, int to, double dt, double dt_mid) {
     const Lanes& t0 = tangent_[e];
     Lanes d = state.director[e];
     d -= dot3(d, t) / (1 + dot3(t0, t)) * (t0 + t);  // the smallest turn that takes t0 to t
-    const double angle = spin * dt;
-    d = std::cos(angle) * d + std::sin(angle) * cross3(t, d);
+    const double angle = spin * dt, half = angle / 2 * (1 + angle * angle / 12);  // tan(angle/2), fifth order
+    d = (1 - half * half) * d + 2 * half * cross3(t, d);                         // times 1 + half²; made a unit again below
     d -= dot3(d, t) * t;
     state.director[e] = d / length3(d);
     tangent_[e] = t;

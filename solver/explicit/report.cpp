@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <palpate/text_file.hpp>
+#include <solver/explicit/closing.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
@@ -114,6 +115,11 @@ struct Report {
 };
 
 }  // namespace
+
+bool is_explicit(const std::filesystem::path& path) {
+  const Settings settings = Settings::read(path);
+  return settings.has("scheme") && settings.choice("scheme", {"implicit", "explicit"}) == "explicit";
+}
 
 void solve(Command& command) {
   Case c = read_case(command.input("case"), command.has("mesh") ? command.file("mesh") : "");

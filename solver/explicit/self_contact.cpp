@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+
+#include <palpate/errors.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
@@ -60,6 +63,8 @@ Grid grid_of(const std::vector<Lanes>& points, double cell) {
   for (const Lanes& p : points)
     for (int c = 0; c < 3; ++c) g.low[c] = std::min(g.low[c], p[c]), high[c] = std::max(high[c], p[c]);
   g.cell = cell;
+  if (!(length3(high - g.low) < 1e3 * cell))
+    throw Failure(ExitCode::not_converged, "the wall flies apart: it reaches over " + std::to_string(length3(high - g.low)) + " mm", "", "a smaller [steps] safety or speed_mm_s, a larger gap_mm, or a finer mesh");
   for (int c = 0; c < 3; ++c) g.size[c] = std::max(1, static_cast<int>((high[c] - g.low[c]) / cell) + 1);
   g.start.assign(static_cast<std::size_t>(g.size[0]) * g.size[1] * g.size[2] + 1, 0);
   std::vector<int> cells;
