@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "shell_at_rest.hpp"
+#include <tests/verify/shell_at_rest.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
