@@ -60,7 +60,7 @@ def main():
     rows = []
     for number, truth in enumerate(truths):
         folder = a.folder / truth["set"]
-        done = subprocess.run([a.loop, "run", folder / "set.toml", folder / "loop", "--quiet", f"--null-sets={a.null_sets}"], capture_output=True, text=True)
+        done = subprocess.run([a.loop, "run", folder / "set.toml", folder / "loop", "--quiet", "--forward=closed", f"--null-sets={a.null_sets}"], capture_output=True, text=True)
         if done.returncode:
             print(truth["set"], done.stderr, file=sys.stderr)
             continue

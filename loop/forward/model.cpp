@@ -134,25 +134,21 @@ Site Forward::site(const Run& run) const {
   return site;
 }
 
-void Forward::use_solved(const std::string& tool, const Vec3& point_mm, SolvedCurve curve, const Tissue& start) {
-  solved_.push_back({tool, point_mm, std::move(curve), start});
+void Forward::correct(const std::string& tool, const Vec3& point_mm, double deepest_mm, const std::array<double, 3>& factor) {
+  corrections_.push_back({tool, point_mm, deepest_mm, factor});
 }
 
 double Forward::elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const {
   const double closed = elastic_force(site, tissue, depth);
-  for (const Solved& s : solved_) {
-    if (s.tool != run.tool || norm(s.point_mm - run.point_mm) > 1e-6) continue;
-    const auto& x = s.curve.depth_mm;
-    const std::size_t i = std::clamp<std::size_t>(std::upper_bound(x.begin(), x.end(), depth) - x.begin(), 1, x.size() - 1);
-    const double t = (depth - x[i - 1]) / (x[i] - x[i - 1]);
-    const double F = (1 - t) * s.curve.force_N[i - 1] + t * s.curve.force_N[i];
-    const double at_start = elastic_force(site, s.start, depth);
-    return at_start > 0 ? F * closed / at_start : 0;
+  for (const Correction& c : corrections_) {
+    if (c.tool != run.tool || norm(c.point_mm - run.point_mm) > 1e-6) continue;
+    const double x = std::min(depth / c.deepest_mm, 1.0);
+    return closed * (c.factor[0] + x * (c.factor[1] + x * c.factor[2]));
   }
   return closed;
 }
 
-Path Forward::tissue_force(const Run& run, const Tissue& tissue, const Path& depth, double compliance) const {
+Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tissue, const Path& depth, double compliance) const {
   if (run.test != Test::indentation) {
     Row row({Spring{}}, tissue, scale_, false);
     Path stress(depth.size());
@@ -165,7 +161,8 @@ Path Forward::tissue_force(const Run& run, const Tissue& tissue, const Path& dep
   std::vector<double> depths, forces;
   for (int i = 0; i <= springs; ++i) {
     depths.push_back(deepest * std::pow(static_cast<double>(i) / springs, 1.4));
-    forces.push_back(elastic(run, place, tissue, depths.back()));
+    const double x = depths.back() / scale_;
+    forces.push_back(elastic(run, place, tissue, depths.back()) * (1 + model.form[0] * (2 * x - 1) + model.form[1] * (6 * x * x - 6 * x + 1)));
   }
   auto list = springs_of(depths, forces);
   add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
@@ -193,7 +190,7 @@ std::vector<double> Forward::force(std::size_t r, const Model& model) const {
     if (a.effect->compliance) compliance += a.effect->compliance(a.amplitude);
   }
   Path force(depth.size(), 0.0);
-  if (!run.is_air()) force = tissue_force(run, tissue, depth, compliance);
+  if (!run.is_air()) force = tissue_force(run, model, tissue, depth, compliance);
   add_rate(run, tissue, run.u, run.test == Test::indentation ? scale_ : 1, force);
   for (const Active& a : model.active)
     if (a.effect->force) a.effect->force(run, a.amplitude, a.shape, force);

@@ -21,12 +21,8 @@ struct Model {
   double zero_mm = 0;              ///< contact lies so far below the tool's start (zero = "tool_start")
   double gain = 0;                 ///< of the rig, where it is known with a standard deviation
   double compliance_mm_per_N = 0;  ///< of the rig, where it is known
+  double form[2] = {0, 0};         ///< relative error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest
   std::vector<Active> active;
-};
-
-/// A curve that stands in for the closed form of a site at the null's start parameters: F of a solved case.
-struct SolvedCurve {
-  std::vector<double> depth_mm, force_N;
 };
 
 class Forward {
@@ -46,22 +42,23 @@ class Forward {
   /// How often a run's force was computed.
   long evaluations() const { return evaluations_; }
   Site site(const Run& run) const;
-  /// From now on the elastic curve of runs with this tool and point is the solved one, times closed form over closed form at `start`.
-  void use_solved(const std::string& tool, const Vec3& point_mm, SolvedCurve curve, const Tissue& start);
+  /// From now on the closed form of runs with this tool and point is multiplied by c₀ + c₁ x + c₂ x², x = depth/deepest (beyond it as at it):
+  /// what a solve of that site says about the closed form.
+  void correct(const std::string& tool, const Vec3& point_mm, double deepest_mm, const std::array<double, 3>& factor);
 
  private:
-  struct Solved {
+  struct Correction {
     std::string tool;
     Vec3 point_mm;
-    SolvedCurve curve;
-    Tissue start;
+    double deepest_mm;
+    std::array<double, 3> factor;
   };
   double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
-  Path tissue_force(const Run& run, const Tissue& tissue, const Path& depth, double compliance) const;
+  Path tissue_force(const Run& run, const Model& model, const Tissue& tissue, const Path& depth, double compliance) const;
   const Set* set_;
   double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests
   std::vector<std::vector<int>> begin_;
-  std::vector<Solved> solved_;
+  std::vector<Correction> corrections_;
   mutable long evaluations_ = 0;
 };
 

@@ -14,7 +14,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 double prior_sd(int direction) {
-  return direction == 0 ? thresholds::prior_gain_sd : direction == 1 ? thresholds::prior_offset_sd : thresholds::prior_drift_sd;
+  return direction == 0 ? thresholds::prior_gain_sd : direction == 1 ? thresholds::prior_offset_sd : thresholds::prior_drift_sd / (direction - 1);
 }
 
 /// Blocks become independent: x_b − ρ x_{b−1}.
@@ -33,7 +33,7 @@ void correlate(double rho, Eigen::Ref<MatrixXd> x) {
 
 Whitener::Whitener(const NoiseShape& shape, const Noise& noise) : rho_(noise.correlation) {
   const double scatter = noise.scatter * shape.largest_N;
-  sd_ = (noise.sensor_sd * noise.sensor_sd * shape.samples.cwiseInverse().array() + scatter * scatter).sqrt();
+  sd_ = (noise.sensor_sd * noise.sensor_sd * shape.samples.cwiseInverse().array() + scatter * scatter + shape.corner.array().square()).sqrt();
   MatrixXd Z = shape.Q;
   for (int j = 0; j < Z.cols(); ++j) Z.col(j) *= noise.sd[j] * shape.scale(j);
   variance_ = (sd_.squaredNorm() + Z.squaredNorm()) / sd_.size();
@@ -66,23 +66,41 @@ void Whitener::colour(Eigen::Ref<MatrixXd> z) const {
   z.array().colwise() *= sd_.array();
 }
 
+namespace {
+
+/// Largest second difference of a block, less what noise makes of it (four deviations), over the block's samples.
+VectorXd corners(const Forward& forward, std::size_t run) {
+  const auto& force = forward.set().runs[run].F;
+  const VectorXd count = forward.samples_per_block(run);
+  const double noise = 4 * std::sqrt(6.0) * fast_sd(force);
+  VectorXd corner = VectorXd::Zero(count.size());
+  std::size_t i = 0;
+  for (int b = 0; b < count.size(); ++b) {
+    double largest = 0;
+    for (int k = 0; k < count(b); ++k, ++i)
+      if (i > 0 && i + 1 < force.size()) largest = std::max(largest, std::abs(force[i + 1] - 2 * force[i] + force[i - 1]));
+    corner(b) = thresholds::corner * std::max(0.0, largest - noise) / count(b);
+  }
+  return corner;
+}
+
+}  // namespace
+
 NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& slope, double depth_scale_mm) {
   NoiseShape shape;
   const VectorXd F = forward.measured(run), t = forward.times(run);
   const int n = static_cast<int>(F.size());
   shape.samples = forward.samples_per_block(run);
+  shape.corner = corners(forward, run);
   shape.largest_N = std::max(F.cwiseAbs().maxCoeff(), 1e-12);
   MatrixXd B(n, noise_directions);
   B.col(0) = F;
   B.col(1) = slope * depth_scale_mm;
-  const VectorXd x = (2 * (t.array() - t(0)) / std::max(t(n - 1) - t(0), 1e-12) - 1);
-  B.col(2).setConstant(shape.largest_N);
-  B.col(3) = shape.largest_N * x;
-  B.col(4) = shape.largest_N * (1.5 * x.array().square() - 0.5);
-  B.col(5) = shape.largest_N * (2.5 * x.array().cube() - 1.5 * x.array());
+  const VectorXd x = (t.array() - t(0)) / std::max(t(n - 1) - t(0), 1e-12);
+  for (int j = 2; j < noise_directions; ++j) B.col(j) = shape.largest_N * ((j - 2) * M_PI * x.array()).cos();
   shape.Q = MatrixXd::Zero(n, noise_directions);
   shape.scale = VectorXd::Zero(noise_directions);
-  for (int j = 0; j < std::min(n, noise_directions); ++j) {  // Gram–Schmidt, twice
+  for (int j = 0; j < std::min(n / 3, noise_directions); ++j) {  // Gram–Schmidt, twice
     VectorXd q = B.col(j);
     const double before = q.norm();
     for (int again = 0; again < 2; ++again)
@@ -154,10 +172,13 @@ Noise estimate_noise(const std::vector<NoiseShape>& shapes, const std::vector<Ve
   noise.sensor_sd = sensor_sd;
   noise.replicate_degrees = static_cast<int>(sums.degrees);
   const double w = thresholds::prior_weight;
-  double drift = 0;
-  for (int j = 2; j < noise_directions; ++j) drift += sums.square[j] / (noise_directions - 2);
-  for (int j = 0; j < noise_directions; ++j)
-    noise.sd[j] = std::sqrt(((j < 2 ? sums.square[j] : drift) + w * prior_sd(j) * prior_sd(j)) / (sums.degrees + w));
+  for (std::size_t band = 0; band + 1 < std::size(noise_bands); ++band) {
+    const int first = noise_bands[band], end = noise_bands[band + 1];
+    double square = 0;
+    for (int j = first; j < end; ++j) square += sums.square[j];
+    const double prior = prior_sd(first), degrees = sums.degrees * (end - first);
+    for (int j = first; j < end; ++j) noise.sd[j] = std::sqrt((square + w * prior * prior) / (degrees + w));
+  }
   if (sums.weight > 0) {
     noise.scatter = std::sqrt(std::max(0.0, (sums.left - sums.expected) / sums.weight));
     noise.correlation = std::clamp(sums.neighbours / std::max(sums.left, 1e-300), 0.0, 0.9);

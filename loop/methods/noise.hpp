@@ -1,5 +1,5 @@
 // Noise of a run: Σ = D ½ R D ½ + Q diag(v) Qᵀ: sensor and fast scatter with correlation ρ from block to block, and run-to-run changes of
-// gain, of contact and of slow drift (Legendre polynomials of time), with Q their orthonormal directions in that order.
+// gain, of contact and of slow drift (cosines of time, in four bands of frequency), with Q their orthonormal directions in that order.
 // The variances come from differences between replicates, never from a misfit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -9,13 +9,16 @@
 
 namespace palpate::loop {
 
-inline constexpr int noise_directions = 6;  ///< gain, contact, drift of order 0 to 3
+/// First direction of each band that shares one variance: gain, contact, drift of order 0 to 1, 2 to 4, 5 to 9, 10 to 17; then the end.
+inline constexpr int noise_bands[] = {0, 1, 2, 4, 7, 12, 20};
+inline constexpr int noise_directions = 20;
 
 /// What a run's noise looks like, whatever its size.
 struct NoiseShape {
   Eigen::MatrixXd Q;       ///< blocks × directions, orthonormal
   Eigen::VectorXd scale;   ///< of each direction: N per unit of its relative standard deviation
   Eigen::VectorXd samples; ///< in each block
+  Eigen::VectorXd corner;  ///< what a block's mean may be off where the force turns between two samples, N
   double largest_N = 1;
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <loop/methods/thresholds.hpp>
+
 namespace palpate::loop {
 
 double FitParameter::coordinate() const { return logarithmic ? std::log(*value) : *value; }
@@ -40,6 +42,9 @@ std::vector<FitParameter> fit_parameters(Model& model, const Set& set) {
   if (set.gain.state == Known::State::prior) list.push_back({"rig.gain", "1", &model.gain, -0.5, 0.5, false, 1e-4, set.gain.value - 1, set.gain.sd});
   if (set.compliance_mm_per_N.state == Known::State::prior)
     list.push_back({"rig.compliance", "mm/N", &model.compliance_mm_per_N, 0, 10, false, 1e-4, set.compliance_mm_per_N.value, set.compliance_mm_per_N.sd});
+  if (std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.test == Test::indentation; }))
+    for (int i : {0, 1})
+      list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -0.1, 0.1, false, 1e-4, 0, thresholds::form_sd});
   for (Active& active : model.active) add_effect(active, list);
   return list;
 }

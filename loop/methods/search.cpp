@@ -114,8 +114,22 @@ double fall_of(const Session& s, double before, const Model& after) {
   return before > 0 ? 1 - std::max(excess, 0.0) / before : 0;
 }
 
+/// An amplitude at the edge of its plausible range says that another effect is meant.
+bool at_the_edge(const Tried& t) {
+  const Active& a = t.fit.model.active.back();
+  const Range& range = a.effect->entry.parameters[0].range;
+  return (range.min < 0 && a.amplitude <= 0.99 * range.min) || a.amplitude >= 0.99 * range.max;
+}
+
+double null_excess(const Session& s) {
+  double blocks = 0;
+  for (std::size_t run : s.problem.runs) blocks += s.forward->blocks(run);
+  return std::max(s.null.chi2 - blocks, 0.0);
+}
+
 /// The best candidate that passes threshold and relevance; −1: none. Writes the reasons.
 int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
+  const double least = current.model.active.empty() ? 0 : thresholds::second_share * null_excess(s);
   double before = std::numeric_limits<double>::quiet_NaN();
   int taken = -1;
   for (int i = 0; i < static_cast<int>(tried.size()); ++i) {
@@ -125,13 +139,21 @@ int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold
       t.reason = "p above the threshold of this protocol";
       continue;
     }
+    if (t.lambda < least) {
+      t.reason = "explains too little of what the null model misses";
+      continue;
+    }
+    if (at_the_edge(t)) {
+      t.reason = "its amplitude runs to the edge of what is plausible";
+      continue;
+    }
     if (taken >= 0) {
       t.reason = "fits less well than the one taken";
       continue;
     }
     if (!can_claim && !(t.lambda > thresholds::relevance * current.chi2 && t.lambda > 2 * thresholds::alternative)) continue;
     if (std::isnan(before)) before = left_out_excess(s.problem, current.model);
-    if (std::isnan(before)) {  // one run: nothing can be left out
+    if (std::isnan(before) || (!can_claim && s.problem.runs.size() < 3)) {  // too few runs to leave one out
       t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
     } else {
       t.left_out_fall = fall_of(s, before, t.fit.model);
@@ -162,7 +184,8 @@ void delete_needless(Session& s, Fit& current, const std::vector<Candidate>& can
     Fit fit = fitted(s.problem, without);
     int c = 0;
     while (candidates[c].effect != current.model.active[i].effect) ++c;
-    if (null.p(c, std::max(0.0, fit.chi2 - current.chi2)) < null.threshold_p) {
+    const double lost = std::max(0.0, fit.chi2 - current.chi2);
+    if (null.p(c, lost) < null.threshold_p && lost > thresholds::second_share * null_excess(s)) {
       ++i;
     } else {
       current = std::move(fit);
@@ -184,7 +207,9 @@ void exchange(Session& s, Finding& f) {
       if (f.candidates[c].effect == own.effect) continue;
       Fit fit = best_refit(s, base.model, f.candidates[c], l, l.scores.best[c]);
       const double behind = 0.5 * (fit.chi2 - f.final.chi2);
-      if (behind > thresholds::alternative) continue;
+      Tried edge;
+      edge.fit = fit;
+      if (behind > thresholds::alternative || at_the_edge(edge)) continue;
       auto names = names_of(fit.model);
       if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
       if (behind < -0.05) {

@@ -159,10 +159,11 @@ void choose_law(Session& s) {
 
 }  // namespace
 
-Session prepared(const Set& set) {
+Session prepared(const Set& set, const std::function<void(Forward&)>& correct) {
   Session s;
   s.set = &set;
   s.forward = std::make_unique<Forward>(set);
+  if (correct) correct(*s.forward);
   s.problem.forward = s.forward.get();
   choose_runs(s);
   add_block(set, s.problem);

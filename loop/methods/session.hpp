@@ -31,7 +31,8 @@ struct Session {
 Model start_model(const Set& set, const std::string& law);
 
 /// Throws Failure(refused) when there is no run to fit.
-Session prepared(const Set& set);
+/// `correct` may teach the forward model what solves said; it may be empty.
+Session prepared(const Set& set, const std::function<void(Forward&)>& correct = {});
 
 /// The model fitted once more with every block of a run weighing the same: what it can do for the error in N.
 Model with_equal_weights(const Session& session, const Model& model);

@@ -9,9 +9,9 @@ namespace palpate::loop::thresholds {
 
 Json as_json() {
   return {{"level", level}, {"null_sets", null_sets}, {"alternative", alternative}, {"relevance", relevance},
-          {"most_effects", most_effects}, {"refitted", refitted}, {"confounded_cosine", confounded_cosine}, {"visible", visible},
+          {"most_effects", most_effects}, {"second_share", second_share}, {"corner", corner}, {"refitted", refitted}, {"confounded_cosine", confounded_cosine}, {"visible", visible},
           {"unexplained_share", unexplained_share}, {"prior_weight", prior_weight}, {"prior_gain_sd", prior_gain_sd},
-          {"prior_offset_sd", prior_offset_sd}, {"prior_drift_sd", prior_drift_sd}};
+          {"prior_offset_sd", prior_offset_sd}, {"prior_drift_sd", prior_drift_sd}, {"form_sd", form_sd}};
 }
 
 std::string hash() {

@@ -12,6 +12,8 @@ inline constexpr int null_sets = 1000;            ///< bootstrapped nulls per st
 inline constexpr double alternative = 4.6;        ///< Δℓ within which another explanation is not excluded
 inline constexpr double relevance = 0.2;          ///< fall of the leave-one-run-out excess error
 inline constexpr int most_effects = 3;
+inline constexpr double second_share = 0.03;      ///< of the null's excess misfit that a further effect must explain
+inline constexpr double corner = 0.3;             ///< of a second difference between samples: when between them did the tool turn?
 inline constexpr int refitted = 6;                ///< best candidates that are refitted, besides instruments
 inline constexpr double confounded_cosine = 0.98; ///< of whitened tangents after projection: told apart by no data of this protocol
 inline constexpr double visible = 4;              ///< ‖P s‖ e below which the protocol cannot see an effect
@@ -19,7 +21,8 @@ inline constexpr double unexplained_share = 0.1;  ///< of the null's excess misf
 inline constexpr double prior_weight = 1;         ///< pseudo-observations behind each variance of the noise
 inline constexpr double prior_gain_sd = 0.005;    ///< run-to-run, relative
 inline constexpr double prior_offset_sd = 0.002;  ///< run-to-run, relative to the deepest point
-inline constexpr double prior_drift_sd = 0.002;   ///< slow, relative to the run's largest force
+inline constexpr double prior_drift_sd = 0.002;   ///< slow, relative to the run's largest force, falling as 1/order
+inline constexpr double form_sd = 0.01;           ///< of the elastic curve's own error, linear and quadratic in depth, relative
 
 /// All of them, by name.
 Json as_json();

@@ -3,7 +3,9 @@
 #include <palpate/command.hpp>
 #include <palpate/nearest.hpp>
 #include <palpate/text_file.hpp>
+#include <loop/forward/process.hpp>
 #include <loop/forward/register.hpp>
+#include <loop/forward/solved_curves.hpp>
 #include <loop/methods/thresholds.hpp>
 #include <loop/report/report.hpp>
 
@@ -97,6 +99,8 @@ void usage_of_run(Usage& u) {
       "ranking_only; the exit code is 0 for each.";
   set_input(u);
   u.output("result", "loop", "report.json, and curves.csv: every run measured, before and after", ArgumentKind::folder);
+  u.choice("forward", "auto", {"auto", "closed", "solver"},
+           "elastic curves: closed forms, or one run of palpate-solve per tool and place; auto: the solver where it can");
   u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
 }
 
@@ -105,15 +109,45 @@ int earlier_looks(const fs::path& result) {
   return fs::exists(report) ? read_json(report).value("sealed_looks", 0) : 0;
 }
 
+/// The sites' curves, or none: with auto a solver that is missing or fails leaves the closed forms, and says so.
+std::vector<loop::SiteCurve> curves_of(Command& c, const loop::Set& set) {
+  const std::string forward = c.text("forward");
+  const fs::path solver = loop::beside("palpate-solve"), scratch = c.output("result") / "solves";
+  if (forward == "closed" || (forward == "auto" && (solver.empty() || !loop::can_be_solved(set)))) return {};
+  try {
+    const auto curves = loop::solved_curves(set, solver, scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
+    fs::remove_all(scratch);
+    return curves;
+  } catch (const Failure& failure) {
+    fs::remove_all(scratch);
+    if (forward == "solver" || !set.specimen.case_file.empty()) throw;
+    c.warn(std::string("closed forms instead of solved curves: ") + failure.what());
+    return {};
+  }
+}
+
+Json solves_json(const std::vector<loop::SiteCurve>& curves) {
+  Json list = Json::array();
+  for (const auto& curve : curves)
+    list.push_back({{"tool", curve.tool}, {"point_mm", curve.point_mm}, {"deepest_mm", curve.deepest_mm}, {"solved_over_closed", curve.factor},
+                    {"scatter", curve.scatter}, {"nodes", curve.nodes}});
+  return list;
+}
+
 void run_of_run(Command& c) {
   const auto start = std::chrono::steady_clock::now();
   const loop::Set set = sound_set(c);
   c.say("null model and noise");
-  loop::Session session = loop::prepared(set);
+  const auto curves = curves_of(c, set);
+  loop::Session session = loop::prepared(set, [&](loop::Forward& forward) {
+    for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
+  });
   loop::Finding finding = loop::search(session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
   Json report = loop::report_json(session, finding, earlier_looks(c.final_output("result")));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
-  report["solves"] = 0;
+  report["solves"] = curves.size();
+  report["solved_curves"] = solves_json(curves);
+  report["confirmed_in_solver"] = false;
   report["curve_evaluations"] = session.forward->evaluations();
   report["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_json(c.output("result") / "report.json", report);

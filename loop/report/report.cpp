@@ -146,6 +146,7 @@ std::string sentence(const Session& s, const Finding& f) {
 Json report_json(const Session& s, const Finding& f, int looks) {
   const bool names_effects = f.kind == VerdictKind::claimed || f.kind == VerdictKind::confounded;
   Json json;
+  json["unit"] = unit_in(s, "N");
   json["schema"] = "palpate-loop-report/1";
   json["specimen"] = s.set->specimen.id;
   json["law"] = s.null.model.law->name;

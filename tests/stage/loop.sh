@@ -48,8 +48,8 @@ got=0
 "$bin/palpate-loop" check bad2/set.toml 2>message || got=$?
 [ $got -eq 4 ] && grep -q 'as r04 should: the two runs are swapped' message || { echo "swapped runs are not told: $got" >&2; cat message >&2; exit 1; }
 
-"$bin/palpate-loop" run good/set.toml one --quiet --null-sets 200 >/dev/null
-"$bin/palpate-loop" run good/set.toml two --quiet --null-sets 200 --threads 2 >/dev/null
+"$bin/palpate-loop" run good/set.toml one --quiet --null-sets 200 --forward closed >/dev/null
+"$bin/palpate-loop" run good/set.toml two --quiet --null-sets 200 --forward closed --threads 2 >/dev/null
 cmp one/curves.csv two/curves.csv
 python3 - <<'P'
 import json
