@@ -145,7 +145,12 @@ void add_group(const std::vector<const NoiseShape*>& shapes, const std::vector<c
       d -= c * s.Q.col(j).head(n);
     }
     d /= s.largest_N;
-    const double freedom = std::max(1.0, (n - noise_directions) * (1.0 - 1.0 / m));
+    int quiet = 0;  // blocks without a corner: the others say nothing about scatter
+    for (int b = 0; b < n; ++b) {
+      if (s.corner(b) > 0) d(b) = 0;
+      quiet += s.corner(b) == 0;
+    }
+    const double freedom = std::max(1.0, (quiet - noise_directions) * (1.0 - 1.0 / m));
     sums.left += d.squaredNorm();
     sums.weight += freedom;
     sums.expected += sensor_sd * sensor_sd / (s.largest_N * s.largest_N) / s.samples.mean() * freedom;
