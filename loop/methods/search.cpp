@@ -56,13 +56,37 @@ Fit refit_with(const Session& s, const Model& model, const Candidate& c, const s
   return fitted(s.problem, with);
 }
 
-/// The best column's refit; a second start at the secant's amplitude, for effects whose derivative at zero means little.
-Fit best_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column) {
+/// An amplitude at the edge of its plausible range says that another effect is meant.
+bool at_the_edge(const Fit& fit) {
+  const Active& a = fit.model.active.back();
+  const Range& range = a.effect->entry.parameters[0].range;
+  return (range.min < 0 && a.amplitude <= 0.99 * range.min) || a.amplitude >= 0.99 * range.max;
+}
+
+/// Two starts: the score's amplitude, and the secant's for effects whose derivative at zero means little.
+Fit column_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column) {
   const auto& shape = c.grid[l.columns[column].grid];
   const double e = l.scores.z[column] / l.scores.norm[column];
   Fit fit = refit_with(s, model, c, shape, e);
   Fit other = refit_with(s, model, c, shape, std::copysign(c.probe, e));
   return other.chi2 < fit.chi2 ? other : fit;
+}
+
+/// The best column's refit; where shapes are kinds that a fit cannot move (laws, places), the best of the five best columns, one within
+/// its plausible range before any at its edge.
+Fit best_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int best) {
+  Fit fit = column_refit(s, model, c, l, best);
+  if (c.effect->refines) return fit;
+  std::vector<int> others;
+  for (int j = 0; j < static_cast<int>(l.columns.size()); ++j)
+    if (j != best && l.columns[j].candidate == l.columns[best].candidate && l.scores.norm[j] > 0 && (l.scores.z[j] > 0 || c.is_signed())) others.push_back(j);
+  std::sort(others.begin(), others.end(), [&](int a, int b) { return std::abs(l.scores.z[a]) > std::abs(l.scores.z[b]); });
+  others.resize(std::min<std::size_t>(others.size(), 4));
+  for (int j : others) {
+    Fit other = column_refit(s, model, c, l, j);
+    if (std::pair(at_the_edge(other), other.chi2) < std::pair(at_the_edge(fit), fit.chi2)) fit = std::move(other);
+  }
+  return fit;
 }
 
 /// Which candidates are refitted: the best by score, every instrument, and whatever looks like the best.
@@ -114,13 +138,6 @@ double fall_of(const Session& s, double before, const Model& after) {
   return before > 0 ? 1 - std::max(excess, 0.0) / before : 0;
 }
 
-/// An amplitude at the edge of its plausible range says that another effect is meant.
-bool at_the_edge(const Tried& t) {
-  const Active& a = t.fit.model.active.back();
-  const Range& range = a.effect->entry.parameters[0].range;
-  return (range.min < 0 && a.amplitude <= 0.99 * range.min) || a.amplitude >= 0.99 * range.max;
-}
-
 double null_excess(const Session& s) {
   double blocks = 0;
   for (std::size_t run : s.problem.runs) blocks += s.forward->blocks(run);
@@ -143,12 +160,16 @@ int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold
       t.reason = "explains too little of what the null model misses";
       continue;
     }
-    if (at_the_edge(t)) {
+    if (at_the_edge(t.fit)) {
       t.reason = "its amplitude runs to the edge of what is plausible";
       continue;
     }
     if (taken >= 0) {
       t.reason = "fits less well than the one taken";
+      continue;
+    }
+    if (!current.model.active.empty() && s.problem.runs.size() < 3) {
+      t.reason = "too few runs to tell a further effect";
       continue;
     }
     if (!can_claim && !(t.lambda > thresholds::relevance * current.chi2 && t.lambda > 2 * thresholds::alternative)) continue;
@@ -207,9 +228,7 @@ void exchange(Session& s, Finding& f) {
       if (f.candidates[c].effect == own.effect) continue;
       Fit fit = best_refit(s, base.model, f.candidates[c], l, l.scores.best[c]);
       const double behind = 0.5 * (fit.chi2 - f.final.chi2);
-      Tried edge;
-      edge.fit = fit;
-      if (behind > thresholds::alternative || at_the_edge(edge)) continue;
+      if (behind > thresholds::alternative || at_the_edge(fit)) continue;
       auto names = names_of(fit.model);
       if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
       if (behind < -0.05) {
