@@ -69,9 +69,11 @@ void read_materials(const Settings& settings, Case& c) {
   std::map<std::string, int> of_region;
   for (const auto& table : tables) {
     c.model.materials.push_back(read_material(table));
-    if (!table.has("region") && tables.size() > 1)
+    c.material_regions.push_back(table.has("region") ? table.choice("region", region_names(c.mesh)) : "");
+    const std::string& region = c.material_regions.back();
+    if (region.empty() && tables.size() > 1)
       throw Failure(ExitCode::misuse, "one of several materials has no region", table.where(), "region = \"name of a label\"");
-    if (table.has("region") && !of_region.emplace(table.choice("region", region_names(c.mesh)), of_region.size()).second)
+    if (!region.empty() && !of_region.emplace(region, of_region.size()).second)
       throw Failure(ExitCode::misuse, "two materials for one region", table.where("region"));
   }
   for (std::size_t t = 0; t < c.model.tets.size(); ++t) {
@@ -87,10 +89,41 @@ void read_materials(const Settings& settings, Case& c) {
   }
 }
 
+/// steps.times_s, or nothing for even ones.
+void read_times(const Settings& steps, Case& c) {
+  if (!steps.has("times_s")) return;
+  if (steps.has("count")) throw Failure(ExitCode::misuse, "steps are given twice: count and times_s", steps.where("times_s"), "leave one out");
+  c.steps.times = {0};
+  for (double t : steps.reals("times_s")) {
+    if (!(t > c.steps.times.back()))
+      throw Failure(ExitCode::misuse, "times_s are not ascending, or not after 0", steps.where("times_s"), "times_s = [0.5, 1, 1.1, 2]");
+    c.steps.times.push_back(t);
+  }
+  c.count = static_cast<int>(c.steps.times.size()) - 1;
+}
+
+/// Even times, and those where a path has a corner.
+void plan_times(double end, Case& c) {
+  auto& times = c.steps.times;
+  if (!times.empty()) return;
+  for (int i = 0; i <= c.count; ++i) times.push_back(end * i / c.count);
+  const auto add_corners = [&](const Amplitude& a) {
+    for (const auto& point : a.points)
+      if (point[0] > 0 && point[0] < end) times.push_back(point[0]);
+  };
+  for (const auto& tool : c.model.tools) add_corners(tool.ramp);
+  for (const auto& amplitude : c.model.amplitudes) add_corners(amplitude);
+  std::sort(times.begin(), times.end());
+  const auto same = [&](double a, double b) { return b - a < 1e-9 * end; };
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
+  c.count = static_cast<int>(times.size()) - 1;
+}
+
 void read_steps(const Settings& settings, Case& c) {
   if (!settings.has("steps")) return;
   const Settings steps = settings.table("steps");
-  c.count = static_cast<int>(steps.integer("count", c.count, {1, 10000}));
+  read_times(steps, c);
+  if (c.steps.times.empty()) c.count = static_cast<int>(steps.integer("count", c.count, {1, 10000}));
   c.steps.most_cuts = static_cast<int>(steps.integer("most_cuts", c.steps.most_cuts, {0, 20}));
   c.frames = static_cast<int>(steps.integer("frames", c.frames, {1, 10000}));
   c.keep_partial = steps.flag("keep_partial", false);
@@ -125,23 +158,27 @@ void copy_geometry(const TetMesh& mesh, implicit::Model& model, const std::files
 }  // namespace
 
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override) {
-  const Settings settings = Settings::read(path);
+  return read_case(Settings::read(path), mesh_override);
+}
+
+Case read_case(const Settings& settings, const std::filesystem::path& mesh_override) {
   settings.text("scheme", "implicit");
   if (settings.text("schema") != "palpate-case/1")
     throw Failure(ExitCode::misuse, "not a case this version reads", settings.where("schema"), "schema = \"palpate-case/1\"");
   Case c;
   const std::string mesh = settings.text("mesh", "mesh.vtu");
-  c.mesh_path = mesh_override.empty() ? path.parent_path() / mesh : mesh_override;
+  c.mesh_path = mesh_override.empty() ? settings.file().parent_path() / mesh : mesh_override;
   read_steps(settings, c);
   c.mesh = read_mesh(c.mesh_path);
   copy_geometry(c.mesh, c.model, c.mesh_path);
   read_materials(settings, c);
+  read_effects(settings, c);
   read_loads(settings, c);
   read_contacts(settings, c);
   read_tools(settings, c);
   const double end = std::max(end_of_loads(c.model), 0.0);
   if (!(end > 0)) throw Failure(ExitCode::misuse, "nothing moves the organ", settings.where(), "[tool], [[displacement]] or [[force]]");
-  for (int i = 0; i <= c.count; ++i) c.steps.times.push_back(end * i / c.count);
+  plan_times(end, c);
   settings.expect_all_read();
   return c;
 }

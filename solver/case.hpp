@@ -30,6 +30,7 @@ struct Case {
   int frames = 5;            ///< besides the one at rest
   bool keep_partial = false; ///< deliver what was reached when the full depth is not
   int base_nodes = 0;
+  std::vector<std::string> material_regions;  ///< of each material: a region's name, or empty: all of the mesh
   std::vector<Moved> moved;
   std::vector<std::vector<std::string>> contacts;  ///< names of the two regions, or of the one that touches itself
   std::vector<Eigen::Vector3d> aims_mm;  ///< of the tools
@@ -42,5 +43,11 @@ std::vector<Eigen::Vector3d> surface_points(const Case& c, const implicit::State
 /// Reads a case; `mesh_override` replaces its mesh unless empty. Throws Failure(misuse) for keys, values and names, with line;
 /// Failure(unreadable) for the mesh; Failure(misuse) when the base holds nothing or the tool misses the organ.
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override);
+Case read_case(const Settings& settings, const std::filesystem::path& mesh_override);
+
+/// While gravity grows the tools are out of reach.
+void take_tools_away(Case& c);
+/// Where they first touch the organ in `state`. Throws Failure(misuse) when one of them misses it.
+void bring_tools(Case& c, const implicit::State& state);
 
 }  // namespace palpate

@@ -173,6 +173,18 @@ void read_tools(const Settings& settings, Case& c) {
   }
 }
 
+void take_tools_away(Case& c) {
+  constexpr double away_mm = 1e6;
+  for (auto& tool : c.model.tools) tool.first_contact -= away_mm * tool.axis;
+}
+
+void bring_tools(Case& c, const implicit::State& state) {
+  const auto surface = surface_points(c, &state);
+  for (std::size_t i = 0; i < c.model.tools.size(); ++i)
+    if (!contact::find_first_contact(c.model.tools[i], c.aims_mm[i], surface))
+      throw Failure(ExitCode::misuse, "under gravity the organ has sagged out of the tool's way", "", "aim lower");
+}
+
 double end_of_loads(const implicit::Model& model) {
   double end = 0;
   const auto consider = [&](const Amplitude& a) {

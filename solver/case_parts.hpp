@@ -33,6 +33,9 @@ std::vector<std::string> region_names(const TetMesh& mesh);
 /// [base], [[displacement]], [[force]], [[pressure]], [[spring]], [gravity] into the model.
 void read_loads(const Settings& settings, Case& c);
 
+/// [[effect]] into the materials.
+void read_effects(const Settings& settings, Case& c);
+
 /// [tool] or [[tool]] into the model, at first contact with the organ at rest.
 void read_tools(const Settings& settings, Case& c);
 

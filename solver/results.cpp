@@ -30,6 +30,13 @@ Json numbers(const CatalogueEntry& entry, const std::vector<double>& values) {
   return json;
 }
 
+Json effect_facts(const elements::ActiveEffect& active) {
+  const auto& entry = active.effect.entry;
+  Json facts = {{"name", entry.name}};
+  for (std::size_t i = 0; i < active.parameters.size(); ++i) facts[entry.parameters[i % entry.parameters.size()].name].push_back(active.parameters[i]);
+  return facts;
+}
+
 Json tool_facts(const contact::Tool& tool, const Vector3d& aim) {
   Json facts = numbers(tool.shape.entry, tool.parameters);
   facts["kind"] = tool.shape.entry.name;
@@ -65,6 +72,11 @@ double imbalance(const implicit::Model& model, const implicit::Assembly& assembl
 
 }  // namespace
 
+Eigen::Vector3d driven_direction(const Case& c) {
+  if (!c.model.tools.empty()) return c.model.tools.front().axis;
+  return c.moved.empty() ? Vector3d::Zero() : c.moved.front().motion_mm.normalized();  // of zero: zero
+}
+
 Driven driven(const Case& c, const implicit::Step& step) {
   Driven d;
   const bool at_rest = step.equations.residual.size() == 0;
@@ -74,14 +86,14 @@ Driven driven(const Case& c, const implicit::Step& step) {
     if (at_rest) return d;
     const auto& sums = step.equations.contact.tools.front();
     d.vector = sums.force;
-    d.force = sums.force.dot(tool.axis);
+    d.force = sums.force.dot(driven_direction(c));
     d.area = sums.area;
   } else if (!c.moved.empty()) {
     const auto& moved = c.moved.front();
     d.depth = moved.motion_mm.norm() * c.model.amplitudes[moved.amplitude].at(step.state.time);
     if (at_rest) return d;
     for (int node : moved.nodes) d.vector += step.equations.residual.segment<3>(4 * node);
-    if (moved.motion_mm.norm() > 0) d.force = d.vector.dot(moved.motion_mm.normalized());
+    d.force = d.vector.dot(driven_direction(c));
   }
   return d;
 }
@@ -172,6 +184,8 @@ Json ResultFolder::finish(double time_reached) {
     if (case_.contacts[i].size() == 2) facts["force_on_first_N"] = json(sums.force);
     summary["contacts"].push_back(facts);
   }
+  for (const auto& m : model.materials)
+    for (const auto& e : m.effects) summary["effects"].push_back(effect_facts(e));
   Json shapes = Json::array();
   for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_.aims_mm[i]));
   if (!shapes.empty()) {

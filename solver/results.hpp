@@ -19,6 +19,9 @@ struct Driven {
 };
 Driven driven(const Case& c, const implicit::Step& step);
 
+/// Unit direction of the motion that the history follows.
+Eigen::Vector3d driven_direction(const Case& c);
+
 /// Writes step by step; finish() writes what needs all of them. Throws Failure(unreadable) when the disk is full.
 class ResultFolder {
  public:

@@ -77,13 +77,15 @@ bool Settings::has(const std::string& key) const {
 double Settings::real(const std::string& key, Range range) const {
   const Json json = value(key);
   if (!json.is_number() || !std::isfinite(json.get<double>())) misuse(*this, key, "not a finite number: " + key);
-  const double x = json.get<double>();
-  if (!range.contains(x)) {
-    std::ostringstream next;
-    next << "a value from " << range.min << " to " << range.max;
-    misuse(*this, key, "out of range: " + key + " = " + json.dump(), next.str());
-  }
-  return x;
+  expect_in(range, key, json);
+  return json.get<double>();
+}
+
+void Settings::expect_in(Range range, const std::string& key, const Json& number) const {
+  if (range.contains(number.get<double>())) return;
+  std::ostringstream next;
+  next << "a value from " << range.min << " to " << range.max;
+  misuse(*this, key, "out of range: " + key + " = " + number.dump(), next.str());
 }
 
 double Settings::real(const std::string& key, double fallback, Range range) const {
@@ -119,13 +121,14 @@ std::string Settings::choice(const std::string& key, const std::vector<std::stri
   return name;
 }
 
-std::vector<double> Settings::reals(const std::string& key) const {
+std::vector<double> Settings::reals(const std::string& key, Range range) const {
   const Json json = value(key);
   std::vector<double> numbers;
   if (json.is_array())
     for (const auto& item : json)
       if (item.is_number() && std::isfinite(item.get<double>())) numbers.push_back(item.get<double>());
   if (!json.is_array() || numbers.size() != json.size()) misuse(*this, key, "not a list of finite numbers: " + key);
+  for (const auto& item : json) expect_in(range, key, item);
   return numbers;
 }
 
@@ -173,6 +176,24 @@ std::vector<std::string> Settings::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, item] : *node_->table) names.emplace_back(key.str());
   return names;
+}
+
+double Settings::number_at(const std::string& path) const {
+  const auto number = node_->document->at_path(path).value<double>();
+  if (!number) misuse(*this, "", "the file has no number " + path, "a path such as material.mu, effect[0].tau_s[1] or tool.aim_mm[0]");
+  return *number;
+}
+
+void Settings::shift(const std::string& path, double change) {
+  const double number = number_at(path) + change;
+  const auto end = path.rfind(path.back() == ']' ? '[' : '.');
+  auto& document = *node_->document;
+  if (path.back() == ']') {
+    auto& list = *document.at_path(path.substr(0, end)).as_array();
+    list.replace(list.begin() + std::stoi(path.substr(end + 1)), number);
+  } else {
+    (end == std::string::npos ? document : *document.at_path(path.substr(0, end)).as_table()).insert_or_assign(path.substr(end + 1), number);
+  }
 }
 
 const std::filesystem::path& Settings::file() const { return node_->file; }

@@ -30,7 +30,7 @@ class Settings {
   std::string choice(const std::string& key, const std::vector<std::string>& choices) const;
   Vec3 vec3(const std::string& key) const;
   Vec3 vec3(const std::string& key, const Vec3& fallback) const;
-  std::vector<double> reals(const std::string& key) const;
+  std::vector<double> reals(const std::string& key, Range range = {}) const;
   /// A sub-table; throws when missing. Use has() first for an optional one.
   Settings table(const std::string& key) const;
   /// An array of tables [[key]], or a single [key]; empty when missing.
@@ -39,6 +39,12 @@ class Settings {
   Json value(const std::string& key) const;
   /// All keys of this table, in alphabetical order; does not count as asking for them.
   std::vector<std::string> keys() const;
+
+  /// Adds `change` to a number of the file, "effect[0].tau_s[1]", in what all of its tables say. Throws Failure(misuse) when there is no
+  /// such number.
+  void shift(const std::string& path, double change);
+  /// The number there; the same error.
+  double number_at(const std::string& path) const;
 
   /// The file this came from, and "file:line" of a key (of the table itself for an empty key).
   const std::filesystem::path& file() const;
@@ -50,6 +56,8 @@ class Settings {
   struct Node;
 
  private:
+  void expect_in(Range range, const std::string& key, const Json& number) const;
+
   explicit Settings(std::shared_ptr<Node> node) : node_(std::move(node)) {}
   std::shared_ptr<Node> node_;
 };

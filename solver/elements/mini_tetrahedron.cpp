@@ -75,6 +75,12 @@ struct SubTetrahedron {
 
 using SubTetrahedra = std::array<SubTetrahedron, 4>;
 
+/// A sub-tetrahedron as the material sees it.
+Response respond(const Material& material, const Mat3& F, const History& history, int sub) {
+  if (material.effects.empty()) return material.respond(F);
+  return material.respond({F, history.time, history.dt, material.law.kinematics}, history.memory + sub * material.memory());
+}
+
 SubTetrahedra sub_tetrahedra(const Tetrahedron& rest, const ElementState& state) {
   Mat3 F = Mat3::Identity();
   Eigen::Vector4d p;
@@ -122,7 +128,7 @@ void try_bubble(Trial& t, const Tetrahedron& rest, const Material& material, con
       t.inverted = true;
       return;
     }
-    const Response r = material.respond(F);
+    const Response r = respond(material, F, state.history, s);
     const Vec9 P = flat(r.P) + p * t.volume[s].gradient;
     const Eigen::Vector3d g = 4 * rest.gradients.col(s);
     const Mat93 AG = along_columns<9>(g, r.A);
@@ -292,16 +298,24 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
 
 ElementResult mini_element_result(const Tetrahedron& rest, const Material& material, const ElementState& state) {
   ElementResult result;
-  for (const auto& [F, p] : sub_tetrahedra(rest, state)) {
+  const SubTetrahedra subs = sub_tetrahedra(rest, state);
+  for (int s = 0; s < 4; ++s) {
+    const Mat3& F = subs[s].F;
     const bool small = material.law.kinematics == Kinematics::small;
     const double J = small ? F.trace() - 2 : F.determinant();
-    const Mat3 P = material.respond(F).P;
+    const Mat3 P = respond(material, F, state.history, s).P;
     const Mat3 sigma = small ? P : Mat3(P * F.transpose() / J);
     const Mat3 deviator = sigma - sigma.trace() / 3 * Mat3::Identity();
     result.von_mises += 0.25 * std::sqrt(1.5) * deviator.norm();
     result.J += 0.25 * J;
   }
   return result;
+}
+
+void remember(const Tetrahedron& rest, const Material& material, const ElementState& state, double* memory) {
+  const SubTetrahedra subs = sub_tetrahedra(rest, state);
+  for (int s = 0; s < 4; ++s)
+    material.remember({subs[s].F, state.history.time, state.history.dt, material.law.kinematics}, memory + s * material.memory());
 }
 
 CatalogueEntry mini_tetrahedron_entry() {

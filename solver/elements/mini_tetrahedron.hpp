@@ -8,8 +8,7 @@
 #include <vector>
 
 #include <palpate/catalogue.hpp>
-#include <solver/materials/law.hpp>
-#include <solver/materials/volume_energy.hpp>
+#include <solver/elements/material.hpp>
 
 namespace palpate::elements {
 
@@ -25,23 +24,17 @@ struct Tetrahedron {
 /// Throws std::domain_error unless the volume is positive. `X`: corners in columns, mm.
 Tetrahedron tetrahedron(const Eigen::Matrix<double, 3, 4>& X);
 
-/// A material at work: a law and its numbers.
-struct Material {
-  materials::Law law;
-  std::vector<double> parameters;
-  double bulk_modulus = 0;  ///< κ in MPa, may be infinite
-  std::array<double, 2> volume_stiffening = {0, 0};  ///< 1/D2 and 1/D3 in MPa
-  double density = 0;       ///< kg/m³, for gravity
-
-  materials::Response respond(const materials::Mat3& F) const { return law.respond(F, parameters); }
-  double shear_modulus() const { return law.shear_modulus(parameters); }
-  materials::VolumeEnergy volume_energy() const { return {bulk_modulus, volume_stiffening[0], volume_stiffening[1]}; }
+/// What an element's sub-tetrahedra remember, one after the other, and since when.
+struct History {
+  const double* memory = nullptr;  ///< 4 × Material::memory() numbers; none needed without effects
+  double time = 0, dt = 0;         ///< s
 };
 
 /// Unknowns node by node: (u_x, u_y, u_z, p) × 4; bubble displacement in mm.
 struct ElementState {
   Vec16 nodal;
   Eigen::Vector3d bubble;
+  History history = {};
 };
 
 enum class ElementFault { none, inverted, bubble_not_positive, bubble_not_converged };
@@ -68,6 +61,9 @@ struct ElementResult {
   double von_mises = 0, J = 0;
 };
 ElementResult mini_element_result(const Tetrahedron& rest, const Material& material, const ElementState& state);
+
+/// Writes the memory that the element's sub-tetrahedra keep of an accepted step, in place: 4 × Material::memory() numbers.
+void remember(const Tetrahedron& rest, const Material& material, const ElementState& state, double* memory);
 
 /// Part of `palpate list`.
 CatalogueEntry mini_tetrahedron_entry();

@@ -33,7 +33,7 @@ elements::BodyForce body_force_of(const Model& model, int tet) {
 
 }  // namespace
 
-Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(threads) {
+Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(threads), memory_starts_(memory_starts(model)) {
   for (int t = 0; t < static_cast<int>(model.tets.size()); ++t) {
     rest_.push_back(elements::tetrahedron(corners(model, model.tets[t])));
     body_force_.push_back(body_force_of(model, t));
@@ -65,7 +65,7 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
     for (int begin; (begin = next_to_compute.fetch_add(batch)) < count;) {
       const int end = std::min(begin + batch, count);
       for (int e = begin; e < end; ++e) {
-        auto local = element_state(model_, state, e);
+        auto local = element_state(model_, state, e, memory_starts_[e]);
         systems[e - begin] = elements::mini_element(rest_[e], model_.materials[model_.tet_material[e]], local, ramp * body_force_[e]);
         state.bubbles[e] = local.bubble;
       }
@@ -87,6 +87,29 @@ void Assembly::add_loads(const State& state, Equations& equations, BlockMatrix& 
     block.diagonal().head<3>().setConstant(spring.stiffness);
     tangent.add(spring.node, spring.node, block);
   }
+}
+
+/// Where a face's contact pressures begin in the state.
+std::size_t Assembly::first_point(int tool, int face) const { return contact::points_per_face * (tool * model_.faces.size() + face); }
+
+contact::Face Assembly::face_at(int index, int f, const State& state) const {
+  contact::Face face;
+  for (int a = 0; a < 3; ++a) face.rest[a] = model_.points[model_.faces[f][a]];
+  face.now = corners_now(model_, state, f);
+  face.pressures = &state.contact_pressures[first_point(index, f)];
+  if (model_.tools[index].friction > 0) face.slips = &state.slips[first_point(index, f)];
+  return face;
+}
+
+Eigen::Vector3d Assembly::tool_force_change(int index, const State& state, const Eigen::VectorXd& step) const {
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();
+  for (int f = 0; f < static_cast<int>(model_.faces.size()); ++f) {
+    const auto contact = contact::face_contact(model_.tools[index], pose(model_, state, index), face_at(index, f, state), softness_[f]);
+    if (!contact.touched) continue;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) change -= contact.tangent.block<3, 3>(3 * a, 3 * b) * step.segment<3>(4 * model_.faces[f][b]);
+  }
+  return change;
 }
 
 /// A face's part in what the tool feels, and in how it changes with the tool's place. Only the place of face and tool against each other
@@ -119,19 +142,14 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
   if (tool.turns()) own.by_angle = own.by_travel;
   if (tool.force_controlled) own.along_by_nodes = own.by_travel;
   for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-    contact::Face face;
     const auto& nodes = model_.faces[f];
-    for (int a = 0; a < 3; ++a) face.rest[a] = model_.points[nodes[a]];
-    face.now = corners_now(model_, state, f);
-    const std::size_t first = contact::points_per_face * (index * model_.faces.size() + f);
-    face.pressures = &state.contact_pressures[first];
-    if (tool.friction > 0) face.slips = &state.slips[first];
+    const contact::Face face = face_at(index, f, state);
     const auto contact = contact::face_contact(tool, now, face, softness_[f]);
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
     if (!contact.touched) continue;
     sum_up(index, contact, nodes, face, now, own);
-    std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + first);
+    std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + first_point(index, f));
     for (int a = 0; a < 3; ++a) {
       equations.residual.segment<3>(4 * nodes[a]) += contact.residual.segment<3>(3 * a);
       for (int b = 0; b < 3; ++b) {
@@ -223,11 +241,22 @@ Eigen::Vector3d Assembly::loads(const State& state) const {
   return sum;
 }
 
+void Assembly::remember(State& state) const {
+  std::vector<double> memory = state.memory;
+  in_shares(static_cast<int>(model_.tets.size()), threads_, [&](int from, int to) {
+    for (int e = from; e < to; ++e)
+      if (memory_starts_[e + 1] > memory_starts_[e])
+        elements::remember(rest_[e], model_.materials[model_.tet_material[e]], element_state(model_, state, e, memory_starts_[e]), &memory[memory_starts_[e]]);
+  });
+  state.memory = std::move(memory);
+  state.memory_time = state.time;
+}
+
 std::vector<elements::ElementResult> Assembly::results(const State& state) const {
   std::vector<elements::ElementResult> results(model_.tets.size());
   in_shares(static_cast<int>(model_.tets.size()), threads_, [&](int from, int to) {
     for (int e = from; e < to; ++e)
-      results[e] = elements::mini_element_result(rest_[e], model_.materials[model_.tet_material[e]], element_state(model_, state, e));
+      results[e] = elements::mini_element_result(rest_[e], model_.materials[model_.tet_material[e]], element_state(model_, state, e, memory_starts_[e]));
   });
   return results;
 }

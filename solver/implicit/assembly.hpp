@@ -67,8 +67,12 @@ class Assembly {
   std::vector<double> next_pair_pressures(const State& state, const ContactSums& contact, const Increment& step, double length) const;
   /// Contact pressures after a part `length` of the Newton step `step` from `state`, while time goes on to `time`.
   std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Increment& step, double time, double length) const;
+  /// Change of a tool's force on the organ when the nodes of `state` change by `step`, to first order, N.
+  Eigen::Vector3d tool_force_change(int tool, const State& state, const Eigen::VectorXd& step) const;
   /// Sum of gravity, body forces, nodal forces, pressures and springs on the organs, N.
   Eigen::Vector3d loads(const State& state) const;
+  /// The tissue remembers `state`, which is accepted: its memory and memory_time become those of this state.
+  void remember(State& state) const;
   /// Von Mises stress and J of every tetrahedron.
   std::vector<elements::ElementResult> results(const State& state) const;
 
@@ -84,12 +88,15 @@ class Assembly {
   std::vector<std::array<int, 2>> touching_nodes(const Meetings& meetings) const;
   void add_organ_contact(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_pair(const PairPlace& place, Equations& equations, BlockMatrix& tangent) const;
+  std::size_t first_point(int tool, int face) const;
+  contact::Face face_at(int tool, int face, const State& state) const;
   void add_contact(int tool, const State& state, Equations& equations, BlockMatrix& tangent) const;
 
   const Model& model_;
   int threads_;
   std::vector<elements::Tetrahedron> rest_;
   std::vector<elements::BodyForce> body_force_;
+  std::vector<int> memory_starts_;
   std::vector<double> softness_;  ///< of every face, MPa, see contact::face_contact
   std::vector<std::vector<int>> around_;  ///< nodes of the faces around each node; none without contact between organs
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace palpate::implicit {
 namespace {
@@ -249,6 +250,7 @@ bool Equilibrium::jumped_through(const State& before, const Trial& after) {
 std::optional<Found> Equilibrium::find(State& state, double time) {
   Trial trial;
   trial.state = state;
+  assembly_.remember(trial.state);
   trial.prescribed = Eigen::VectorXd::Zero(state.nodal.size());
   for (const auto& p : model_.prescribed)
     trial.prescribed(4 * p.node + p.component) =
@@ -271,6 +273,31 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
   last_found_ = trial.equations;
   if (has_friction(model_)) remember_slips(model_, trial.equations.contact.points, state);
   return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
+}
+
+Eigen::MatrixXd Equilibrium::response(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes) {
+  constexpr double exact = 1e-11;
+  constexpr int slow = 6;  // corrections, after which a factor of this very tangent is cheaper
+  Eigen::MatrixXd x = prescribed_changes;
+  const auto left = [&] {
+    Eigen::MatrixXd r = -residual_changes;
+    for (int k = 0; k < r.cols(); ++k) r.col(k) -= tangent_.multiply(x.col(k));
+    for (int i = 0; i < r.rows(); ++i)
+      if (fixed_[i]) r.row(i).setZero();
+    return r;
+  };
+  Eigen::MatrixXd r = left();
+  const Eigen::RowVectorXd scale = r.colwise().norm();
+  if (!at_equilibrium_ && !factor()) throw std::logic_error("the tangent of an equilibrium is singular");
+  for (int correction = 0; correction <= 2 * slow; ++correction) {
+    if (((r.colwise().norm() - exact * scale).array() <= 0).all()) break;
+    if (correction == slow && !factor()) throw std::logic_error("the tangent of an equilibrium is singular");
+    solver_.solve(r);
+    x += r;
+    r = left();
+  }
+  at_equilibrium_ = true;
+  return x;
 }
 
 }  // namespace palpate::implicit

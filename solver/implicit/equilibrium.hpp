@@ -33,6 +33,11 @@ class Equilibrium {
 
   /// Changes `state` to the equilibrium at `time` (s), or leaves it untouched, returns nothing and sets trouble().
   std::optional<Found> find(State& state, double time);
+  /// How the unknowns of the state that was found last answer changes of the residual and of the prescribed displacements, one per
+  /// column: K x = −r, x = prescribed where there are such. The factor at hand is refined to K at the solution, or renewed.
+  Eigen::MatrixXd response(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes);
+  /// K at the state that was found last.
+  const BlockMatrix& tangent() const { return tangent_; }
   const Trouble& trouble() const { return trouble_; }
   const Assembly& assembly() const { return assembly_; }
 

@@ -17,6 +17,7 @@ State rest_state(const Model& model) {
   std::size_t pair_points = 0;
   for (const auto& pass : model.passes) pair_points += contact::points_per_face * pass.own.size();
   state.pair_pressures.assign(pair_points, 0.0);
+  state.memory.assign(memory_starts(model).back(), 0.0);
   if (has_friction(model)) remember_slips(model, {}, state);
   return state;
 }
@@ -109,10 +110,17 @@ void remember_slips(const Model& model, const std::vector<contact::Point>& point
   }
 }
 
-elements::ElementState element_state(const Model& model, const State& state, int tet) {
+std::vector<int> memory_starts(const Model& model) {
+  std::vector<int> starts{0};
+  for (int material : model.tet_material) starts.push_back(starts.back() + 4 * model.materials[material].memory());
+  return starts;
+}
+
+elements::ElementState element_state(const Model& model, const State& state, int tet, int memory_start) {
   elements::ElementState local;
   for (int a = 0; a < 4; ++a) local.nodal.segment<4>(4 * a) = state.nodal.segment<4>(4 * model.tets[tet][a]);
   local.bubble = state.bubbles[tet];
+  local.history = {state.memory.data() + memory_start, state.time, state.time - state.memory_time};
   return local;
 }
 

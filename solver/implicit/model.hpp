@@ -66,6 +66,8 @@ struct State {
   std::vector<contact::Slip> slips;        ///< in the same order; none without friction
   std::vector<double> pair_pressures;      ///< MPa, of contact between organs; pass by pass, own face by own face, point by point
   std::vector<double> travels;             ///< of every tool, mm; counts for those that are controlled by force
+  std::vector<double> memory;             ///< of the materials' effects, tet by tet: see elements::History
+  double memory_time = 0;                 ///< s: of the step before, which the memory is of
   double time = 0;                        ///< s
 
   Eigen::Vector3d displacement(int node) const { return nodal.segment<3>(4 * node); }
@@ -96,8 +98,11 @@ std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& stat
 /// What friction is to remember of a state that was found with these contact points; none at rest.
 void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state);
 
-/// Local unknowns of a tetrahedron.
-elements::ElementState element_state(const Model& model, const State& state, int tet);
+/// Where a tetrahedron's part of State::memory begins; one more entry, the size of all.
+std::vector<int> memory_starts(const Model& model);
+
+/// Local unknowns of a tetrahedron; its memory begins at `memory_start`.
+elements::ElementState element_state(const Model& model, const State& state, int tet, int memory_start = 0);
 
 /// Centroid of a tetrahedron at rest, mm.
 Eigen::Vector3d centroid(const Model& model, int tet);

@@ -50,6 +50,7 @@ SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int>
   for (int stream : {1, 2, 3, 4}) m.icntl(stream) = stream == 4 ? 0 : -1;  // silent
   m.icntl(7) = 5;    // METIS
   m.icntl(12) = 1;   // ordering of the pattern alone; the default would weigh values, which are not known yet, for most of the time
+  m.icntl(27) = 32;  // right-hand sides at a time
   m.icntl(14) = 60;  // per cent of extra workspace for pivoting
   m.id.n = unknowns;
   m.id.nnz = static_cast<MUMPS_INT8>(m.rows.size());
@@ -85,11 +86,11 @@ bool SparseDirect::factor(const std::vector<double>& values) {
 
 int SparseDirect::negative_pivots() const { return mumps_->infog(12); }
 
-void SparseDirect::solve(Eigen::VectorXd& right_hand_side) {
+void SparseDirect::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
   Mumps& m = *mumps_;
-  m.id.nrhs = 1;
-  m.id.lrhs = m.id.n;
-  m.id.rhs = right_hand_side.data();
+  m.id.nrhs = static_cast<int>(right_hand_sides.cols());
+  m.id.lrhs = static_cast<int>(right_hand_sides.outerStride());
+  m.id.rhs = right_hand_sides.data();
   m.call(3);
   if (m.infog(1) < 0) m.fail();
 }

@@ -19,8 +19,8 @@ class SparseDirect {
   bool factor(const std::vector<double>& values);
   /// Negative eigenvalues of the last factored matrix, if symmetric (Sylvester).
   int negative_pivots() const;
-  /// Solves in place.
-  void solve(Eigen::VectorXd& right_hand_side);
+  /// Solves in place, column by column.
+  void solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides);
 
  private:
   struct Mumps;

@@ -7,7 +7,8 @@
 
 namespace palpate::implicit {
 
-double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report) {
+double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report,
+                 const Observer& observe) {
   state.time = plan.times.front();
   report({0, state, {}, 0, 0});
   double part = 1;  // of the time between two reports
@@ -22,6 +23,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, c
       if (found) {
         iterations += found->iterations;
         last = std::move(*found);
+        if (observe) observe(state);
         easy = last.iterations <= 10 ? easy + 1 : 0;
         if (easy >= 2) part = std::min(1.0, 2 * part);
       } else {

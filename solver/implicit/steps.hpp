@@ -22,8 +22,11 @@ struct Step {
   int cuts = 0;        ///< sub-steps that failed
 };
 
-/// Calls `report` at every time of the plan. Returns the time reached: the last one, or less when a step could not be made
+/// Sees every sub-step that is accepted.
+using Observer = std::function<void(const State&)>;
+
+/// Calls `report` at every time of the plan, `observe` (may be empty) after every sub-step. Returns the time reached: the last one, or less when a step could not be made
 /// (equilibrium.trouble() says why).
-double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report);
+double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report, const Observer& observe = {});
 
 }  // namespace palpate::implicit

@@ -1,9 +1,12 @@
 // palpate-solve: presses an organ with rigid tools.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/command.hpp>
+#include <palpate/text_file.hpp>
 #include <solver/explicit/report.hpp>
 #include <solver/results.hpp>
+#include <solver/sensitivities.hpp>
 
+#include <optional>
 #include <sstream>
 
 using namespace palpate;
@@ -14,15 +17,18 @@ void usage(Usage& u) {
   u.details =
       "Implicit, quasi-static, incompressible or nearly so: the P1+/P1 mini-element, Newton's method with the consistent tangent, load\n"
       "steps that are halved when they fail. Tools move along their axes from where they first touch the organ, after gravity if there is\n"
-      "any; patches of the surface are held, moved, loaded or sprung. scheme = \"explicit\": a thin wall (palpate-mesh --kind shell) between\n"
-      "two jaws, central differences, until the walls touch. `palpate list` shows laws and tools with their parameters.";
+      "any; patches of the surface are held, moved, loaded or sprung; effects such as viscosity are added to the laws. scheme = \"explicit\":\n"
+      "a thin wall (palpate-mesh --kind shell) between two jaws, central differences, until the walls touch. `palpate list` shows laws,\n"
+      "effects and tools with their parameters.";
   u.input("case", "case.toml", "the case: mesh, [material], what holds, loads and presses, [steps]");
   u.output("result", "result", "history.csv, frames.pvd with frames/*.vtu for ParaView, summary.json", ArgumentKind::folder);
+  u.text("sensitivities", {}, "numbers of the case, such as material.mu, effect[0].g[1], tool.aim_mm[0], separated by commas: the forces' derivatives by them go into sensitivities.csv");
   u.file("mesh", "the mesh to use instead of the one the case names");
   u.catalogue = [] {
     std::vector<CatalogueEntry> entries = contact::entries();
     entries.insert(entries.begin(), elements::mini_tetrahedron_entry());
     for (const auto& law : materials::all()) entries.push_back(law.entry);
+    for (const auto& effect : effects::all()) entries.push_back(effect.entry);
     for (const auto& tool : tools::all()) entries.push_back(tool.entry);
     return entries;
   };
@@ -49,28 +55,30 @@ void explain_stop(Command& c, const Case& the_case, double time, double depth, c
 }
 
 /// Gravity first, without tools; then they come to where they touch the organ that has sagged.
-void settle(Case& the_case, implicit::Equilibrium& equilibrium, implicit::State& state, ResultFolder& results) {
+void settle(Case& the_case, implicit::Equilibrium& equilibrium, implicit::State& state, ResultFolder& results, std::optional<Sensitivities>& sensitivities,
+            const implicit::Observer& observe) {
   if (the_case.settling.times.empty()) return;
-  constexpr double away_mm = 1e6;
-  for (auto& tool : the_case.model.tools) tool.first_contact -= away_mm * tool.axis;
-  const double reached = implicit::run_steps(equilibrium, state, the_case.settling, [&](const implicit::Step& step) { results.settled(step); });
+  take_tools_away(the_case);
+  if (sensitivities) sensitivities->take_tools_away();
+  const double reached =
+      implicit::run_steps(equilibrium, state, the_case.settling, [&](const implicit::Step& step) { results.settled(step); }, observe);
   if (reached < 0) {
     std::ostringstream where;
     where << "near (" << equilibrium.trouble().place_mm.transpose() << ") mm of the organ at rest";
     throw Failure(ExitCode::not_converged, "gravity cannot be carried: " + equilibrium.trouble().cause, where.str(),
                   "hold more of the organ, or give [gravity] more steps");
   }
-  const auto surface = surface_points(the_case, &state);
-  for (std::size_t i = 0; i < the_case.model.tools.size(); ++i)
-    if (!contact::find_first_contact(the_case.model.tools[i], the_case.aims_mm[i], surface))
-      throw Failure(ExitCode::misuse, "under gravity the organ has sagged out of the tool's way", "", "aim lower");
+  bring_tools(the_case, state);
+  if (sensitivities) sensitivities->bring_tools();
 }
 
 }  // namespace
 
 void run(Command& c) {
   if (explicit_shell::is_explicit(c.input("case"))) return explicit_shell::solve(c);
-  Case the_case = read_case(c.input("case"), c.has("mesh") ? c.file("mesh") : "");
+  const Settings settings = Settings::read(c.input("case"));
+  const std::filesystem::path mesh = c.has("mesh") ? c.file("mesh") : "";
+  Case the_case = read_case(settings, mesh);
   if (!c.has("mesh")) c.add_input("mesh", the_case.mesh_path);
   for (std::size_t i = 0; i < the_case.tool_files.size(); ++i) c.add_input("tool " + std::to_string(i + 1), the_case.tool_files[i]);
   c.say(std::to_string(the_case.model.points.size()) + " nodes, " + std::to_string(the_case.model.tets.size()) + " tetrahedra, " +
@@ -78,15 +86,23 @@ void run(Command& c) {
   implicit::Equilibrium equilibrium(the_case.model, c.threads());
   implicit::State state = implicit::rest_state(the_case.model);
   ResultFolder results(c.output("result"), the_case, equilibrium.assembly());
+  std::optional<Sensitivities> sensitivities;
+  implicit::Observer observe;
+  if (c.has("sensitivities")) {
+    sensitivities.emplace(settings, mesh, number_paths(c.text("sensitivities")), equilibrium, c.threads());
+    observe = [&](const implicit::State& found) { sensitivities->follow(found); };
+  }
   Progress progress = c.progress("solve", the_case.count);
-  settle(the_case, equilibrium, state, results);
+  settle(the_case, equilibrium, state, results, sensitivities, observe);
   const double time = implicit::run_steps(equilibrium, state, the_case.steps, [&](const implicit::Step& step) {
     results.add(step, step.index == the_case.count);
+    if (sensitivities) sensitivities->add(step);
     progress.update(step.index, remark(the_case, step));
-  });
+  }, observe);
   progress.finish();
   if (time < the_case.steps.times.back()) explain_stop(c, the_case, time, results.depth(), equilibrium.trouble());
   const Json summary = results.finish(time);
+  if (sensitivities) write_text(c.output("result") / "sensitivities.csv", sensitivities->table());
   c.note("summary", summary);
   c.check(check_at_most("force balance", results.worst_force_imbalance(), 1e-3));
   c.check(check_at_most("penetration of the local element size", results.worst_penetration(), 0.01));

@@ -1,0 +1,160 @@
+// Shadows that follow a run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/sensitivities.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#include <palpate/errors.hpp>
+#include <solver/results.hpp>
+
+namespace palpate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Small against what bends the curves (a contact's deepest gap is a hundredth of an element), large against rounding: of a length in
+/// mm, of any other number in parts of itself.
+double small_change(const std::string& path, double value) {
+  constexpr double part = 1e-7;
+  const bool length = path.find("_mm") != std::string::npos;
+  return length || value == 0 ? part : part * std::abs(value);
+}
+
+/// The case with the number moved up, or down where that is refused: at the end of its range.
+std::pair<double, Case> moved_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path) {
+  const double step = small_change(path, settings.number_at(path));
+  for (double change : {step, -step}) {
+    Settings moved = Settings::read(settings.file());
+    moved.shift(path, change);
+    try {
+      return {change, read_case(moved, mesh)};
+    } catch (const Failure&) {
+      if (change < 0) throw;
+    }
+  }
+  throw std::logic_error("unreachable");
+}
+
+/// Values of the prescribed displacements at a time, 0 elsewhere.
+VectorXd prescribed(const implicit::Model& model, double time) {
+  VectorXd values = VectorXd::Zero(4 * model.points.size());
+  for (const auto& p : model.prescribed) values(4 * p.node + p.component) = model.amplitudes[p.amplitude].at(time) * p.value;
+  return values;
+}
+
+}  // namespace
+
+Shadow::Shadow(std::string number, double by, Case moved, int threads)
+    : path(std::move(number)), change(by), the_case(std::move(moved)), assembly(the_case.model, threads), state(implicit::rest_state(the_case.model)) {}
+
+std::vector<std::string> number_paths(const std::string& list) {
+  std::vector<std::string> paths;
+  std::istringstream in(list);
+  for (std::string path; std::getline(in, path, ',');) {
+    std::erase(path, ' ');
+    if (!path.empty()) paths.push_back(path);
+  }
+  return paths;
+}
+
+Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
+                             implicit::Equilibrium& equilibrium, int threads)
+    : equilibrium_(equilibrium), still_("", 0, read_case(settings, mesh_override), threads), scratch_(static_cast<int>(still_.the_case.model.points.size()), still_.the_case.model.tets, implicit::is_conservative(still_.the_case.model)) {
+  table_ = "t[s]";
+  for (const auto& path : numbers) {
+    auto [change, moved] = moved_case(settings, mesh_override, path);
+    shadows_.emplace_back(path, change, std::move(moved), threads);
+    std::vector<std::string> forces = {"F", "Fx", "Fy", "Fz"};
+    for (std::size_t i = 2; i <= still_.the_case.model.tools.size(); ++i)
+      for (const char* component : {"Fx", "Fy", "Fz"}) forces.push_back(component + std::to_string(i));
+    for (const auto& force : forces) table_ += ",d" + force + "/d(" + path + ")";
+  }
+  table_ += "\n";
+}
+
+void Sensitivities::take_tools_away() {
+  palpate::take_tools_away(still_.the_case);
+  for (auto& shadow : shadows_) palpate::take_tools_away(shadow.the_case);
+}
+
+void Sensitivities::bring_tools() {
+  palpate::bring_tools(still_.the_case, still_.state);
+  for (auto& shadow : shadows_) palpate::bring_tools(shadow.the_case, shadow.state);
+}
+
+/// The shadow at the run's new displacements, with its own memory and numbers.
+void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
+  shadow.assembly.remember(shadow.state);
+  shadow.state.nodal = found.nodal;
+  shadow.state.bubbles = found.bubbles;
+  shadow.state.contact_pressures = found.contact_pressures;
+  shadow.state.pair_pressures = found.pair_pressures;
+  shadow.state.time = found.time;
+  shadow.equations = shadow.assembly(shadow.state, scratch_);
+}
+
+/// By the number at fixed displacements, and by the displacements along the tangent: to first order in exact arithmetic the forces of the
+/// shadow where it stands aside, but its contact would round them.
+std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const VectorXd& change) const {
+  const auto& tools = shadow.equations.contact.tools;
+  const auto& still = still_.equations;
+  std::vector<Vector3d> rates;
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    rates.push_back((tools[i].force - still.contact.tools[i].force + still_.assembly.tool_force_change(static_cast<int>(i), still_.state, change)) / shadow.change);
+  if (!tools.empty() || still_.the_case.moved.empty()) return rates;
+  const VectorXd residual = shadow.equations.residual - still.residual + equilibrium_.tangent().multiply(change);
+  rates.push_back(Vector3d::Zero());
+  for (int node : still_.the_case.moved.front().nodes) rates.front() += residual.segment<3>(4 * node) / shadow.change;
+  return rates;
+}
+
+/// From the run's displacements to its own: what it remembers of the step is of there.
+void Sensitivities::step_aside(Shadow& shadow, const VectorXd& change) {
+  const auto& model = shadow.the_case.model;
+  if (shadow.state.memory.empty() && shadow.state.slips.empty()) return;
+  auto pressures = shadow.assembly.next_pressures(shadow.state, shadow.equations.contact, change, shadow.state.time, 1);
+  auto pair_pressures = shadow.assembly.next_pair_pressures(shadow.state, shadow.equations.contact, change, 1);
+  shadow.state.nodal += change;
+  shadow.state.contact_pressures = std::move(pressures);
+  shadow.state.pair_pressures = std::move(pair_pressures);
+  const auto equations = shadow.assembly(shadow.state, scratch_);  // solves the bubbles there
+  if (implicit::has_friction(model)) implicit::remember_slips(model, equations.contact.points, shadow.state);
+}
+
+void Sensitivities::follow(const implicit::State& found) {
+  const int count = static_cast<int>(shadows_.size());
+  approach(still_, found);
+  const VectorXd still_prescribed = prescribed(still_.the_case.model, found.time);
+  MatrixXd residual_changes(found.nodal.size(), count), prescribed_changes(found.nodal.size(), count);
+  for (int k = 0; k < count; ++k) {
+    Shadow& shadow = shadows_[k];
+    approach(shadow, found);
+    residual_changes.col(k) = shadow.equations.residual - still_.equations.residual;
+    prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
+  }
+  const MatrixXd changes = equilibrium_.response(residual_changes, prescribed_changes);
+  for (int k = 0; k < count; ++k) shadows_[k].force_rates = force_rates(shadows_[k], changes.col(k));
+  for (int k = 0; k < count; ++k) step_aside(shadows_[k], changes.col(k));
+  step_aside(still_, VectorXd::Zero(found.nodal.size()));
+}
+
+void Sensitivities::add(const implicit::Step& step) {
+  std::ostringstream row;
+  row.precision(12);
+  row << step.state.time;
+  const Vector3d direction = driven_direction(still_.the_case);
+  const Driven still = driven(still_.the_case, {step.index, step.state, step.equations, 0, 0});
+  for (const auto& shadow : shadows_) {
+    auto rates = shadow.force_rates;
+    rates.resize(std::max<std::size_t>(1, still_.the_case.model.tools.size()), Vector3d::Zero());
+    const Vector3d turn = (driven_direction(shadow.the_case) - direction) / shadow.change;
+    row << "," << rates[0].dot(direction) + still.vector.dot(turn);
+    for (const auto& rate : rates) row << "," << rate.x() << "," << rate.y() << "," << rate.z();
+  }
+  table_ += row.str() + "\n";
+}
+
+}  // namespace palpate

@@ -1,0 +1,61 @@
+// Derivatives of the reported forces by any number of the case: for every number a shadow of the run, whose case has that number moved a
+// little, follows the steps of the run at the price of a back-substitution: with r(u_n, h_{n−1}, θ) = 0 and h_n = H(u_n, h_{n−1}, θ)
+//   K u′_n = −(r_θ + r_h h′_{n−1}),   h′_n = H_u u′_n + H_h h′_{n−1} + H_θ,
+// the right-hand sides as differences of r and H between shadow and run, the shadow being at u + u′ δ and h + h′ δ. (physics.md §1;
+// Michaleris, Tortorelli, Vidal 1994, Int. J. Numer. Meth. Eng. 37:2471, direct differentiation of transient coupled problems.)
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <deque>
+#include <string>
+#include <vector>
+
+#include <solver/case.hpp>
+#include <solver/implicit/steps.hpp>
+
+namespace palpate {
+
+/// The run with one number of its case moved by `change`.
+struct Shadow {
+  std::string path;  ///< of the number, "effect[0].g[1]"
+  double change = 0;
+  Case the_case;
+  implicit::Assembly assembly;
+  implicit::State state;
+  implicit::Equations equations;  ///< at the run's displacements
+  std::vector<Eigen::Vector3d> force_rates;  ///< of the reported forces, by the number
+
+  Shadow(std::string number, double by, Case moved, int threads);
+  Shadow(const Shadow&) = delete;  // the assembly refers to the case
+};
+
+class Sensitivities {
+ public:
+  /// `numbers`: paths as in Settings::shift. Throws Failure(misuse) for one that the case has not, or that cannot be moved.
+  Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
+                implicit::Equilibrium& equilibrium, int threads);
+
+  void take_tools_away();
+  void bring_tools();
+  /// After every accepted sub-step of the run.
+  void follow(const implicit::State& found);
+  /// A row at a reported step.
+  void add(const implicit::Step& step);
+  /// `t[s]`, then for every number the derivatives of the history's forces by it.
+  const std::string& table() const { return table_; }
+
+ private:
+  void approach(Shadow& shadow, const implicit::State& found);
+  std::vector<Eigen::Vector3d> force_rates(const Shadow& shadow, const Eigen::VectorXd& change) const;
+  void step_aside(Shadow& shadow, const Eigen::VectorXd& change);
+
+  implicit::Equilibrium& equilibrium_;
+  Shadow still_;  ///< nothing moved: what rounding does to the others, it does to this one too
+  implicit::BlockMatrix scratch_;
+  std::deque<Shadow> shadows_;
+  std::string table_;
+};
+
+/// "a, b, c" as paths.
+std::vector<std::string> number_paths(const std::string& list);
+
+}  // namespace palpate
