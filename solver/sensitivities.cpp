@@ -148,7 +148,7 @@ void Sensitivities::add(const implicit::Step& step) {
   const Vector3d direction = driven_direction(still_.the_case);
   const Driven still = driven(still_.the_case, {step.index, step.state, step.equations, 0, 0});
   for (const auto& shadow : shadows_) {
-    auto rates = shadow.force_rates;
+    auto rates = step.index > 0 ? shadow.force_rates : std::vector<Vector3d>{};  // where the history begins, it reports no force
     rates.resize(std::max<std::size_t>(1, still_.the_case.model.tools.size()), Vector3d::Zero());
     const Vector3d turn = (driven_direction(shadow.the_case) - direction) / shadow.change;
     row << "," << rates[0].dot(direction) + still.vector.dot(turn);
