@@ -81,7 +81,6 @@ Driven driven(const Case& c, const implicit::Step& step) {
   Driven d;
   const bool at_rest = step.equations.residual.size() == 0;
   if (!c.model.tools.empty()) {
-    const auto& tool = c.model.tools.front();
     d.depth = implicit::pose(c.model, step.state, 0).travel;
     if (at_rest) return d;
     const auto& sums = step.equations.contact.tools.front();

@@ -63,6 +63,8 @@ std::vector<std::string> number_paths(const std::string& list) {
 Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
                              implicit::Equilibrium& equilibrium, int threads)
     : equilibrium_(equilibrium), still_("", 0, read_case(settings, mesh_override), threads), scratch_(static_cast<int>(still_.the_case.model.points.size()), still_.the_case.model.tets, implicit::is_conservative(still_.the_case.model)) {
+  if (implicit::has_force_control(still_.the_case.model))
+    throw Failure(ExitCode::misuse, "no sensitivities of a run with a tool controlled by force", settings.where("tool"), "control it by depth");
   table_ = "t[s]";
   for (const auto& path : numbers) {
     auto [change, moved] = moved_case(settings, mesh_override, path);
@@ -88,6 +90,7 @@ void Sensitivities::bring_tools() {
 /// The shadow at the run's new displacements, with its own memory and numbers.
 void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
   shadow.assembly.remember(shadow.state);
+  shadow.state.memory_time = found.memory_time;  // also where the run began
   shadow.state.nodal = found.nodal;
   shadow.state.bubbles = found.bubbles;
   shadow.state.contact_pressures = found.contact_pressures;
@@ -115,8 +118,9 @@ std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const Vec
 void Sensitivities::step_aside(Shadow& shadow, const VectorXd& change) {
   const auto& model = shadow.the_case.model;
   if (shadow.state.memory.empty() && shadow.state.slips.empty()) return;
-  auto pressures = shadow.assembly.next_pressures(shadow.state, shadow.equations.contact, change, shadow.state.time, 1);
-  auto pair_pressures = shadow.assembly.next_pair_pressures(shadow.state, shadow.equations.contact, change, 1);
+  const implicit::Increment step{change, std::vector<double>(model.tools.size(), 0.0)};
+  auto pressures = shadow.assembly.next_pressures(shadow.state, shadow.equations.contact, step, shadow.state.time, 1);
+  auto pair_pressures = shadow.assembly.next_pair_pressures(shadow.state, shadow.equations.contact, step, 1);
   shadow.state.nodal += change;
   shadow.state.contact_pressures = std::move(pressures);
   shadow.state.pair_pressures = std::move(pair_pressures);

@@ -30,7 +30,8 @@ struct Shadow {
 
 class Sensitivities {
  public:
-  /// `numbers`: paths as in Settings::shift. Throws Failure(misuse) for one that the case has not, or that cannot be moved.
+  /// `numbers`: paths as in Settings::shift. Throws Failure(misuse) for one that the case has not or that cannot be
+  /// moved, and for a tool that is controlled by force: its depth is what would answer.
   Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
                 implicit::Equilibrium& equilibrium, int threads);
 

@@ -65,6 +65,21 @@ class SensitivitiesOfARun : public InFolder {
     return forces;
   }
 
+  /// Of second order: central, or of one side where the number is zero, the end of its range.
+  std::vector<double> differences_of_runs(const Settings& settings, const std::string& number) {
+    const double value = settings.number_at(number), h = value == 0 ? 1e-5 : 1e-5 * std::abs(value);
+    const auto at = [&](double change) {
+      Settings moved = Settings::read(folder / "case.toml");
+      moved.shift(number, change);
+      return forces(moved);
+    };
+    const auto here = value == 0 ? at(0) : at(-h), up = at(h), far = value == 0 ? at(2 * h) : up;
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < up.size(); ++i)
+      differences.push_back(value == 0 ? (4 * up[i] - 3 * here[i] - far[i]) / (2 * h) : (up[i] - here[i]) / (2 * h));
+    return differences;
+  }
+
   void expect_derivatives(const std::vector<std::string>& numbers) {
     const Settings settings = Settings::read(folder / "case.toml");
     std::string table;
@@ -72,16 +87,11 @@ class SensitivitiesOfARun : public InFolder {
     const auto rows = rows_of(table);
     const std::size_t per_number = (rows[0].size() - 1) / numbers.size();
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const double value = settings.number_at(numbers[k]), step = value == 0 ? 1e-7 : 1e-5 * std::abs(value);  // one-sided at the end of a range
-      Settings up = Settings::read(folder / "case.toml"), down = Settings::read(folder / "case.toml");
-      up.shift(numbers[k], step);
-      down.shift(numbers[k], value == 0 ? 0 : -step);
-      const auto above = forces(up), below = forces(down);
+      const auto differences = differences_of_runs(settings, numbers[k]);
       double largest = 0, worst = 0;
-      for (std::size_t i = 0; i < above.size(); ++i) {
-        const double difference = (above[i] - below[i]) / (value == 0 ? step : 2 * step);
-        largest = std::max(largest, std::abs(difference));
-        worst = std::max(worst, std::abs(difference - rows[i][1 + k * per_number]));
+      for (std::size_t i = 0; i < differences.size(); ++i) {
+        largest = std::max(largest, std::abs(differences[i]));
+        worst = std::max(worst, std::abs(differences[i] - rows[i][1 + k * per_number]));
       }
       EXPECT_GT(largest, 0) << numbers[k];
       EXPECT_LE(worst, 1e-4 * largest) << numbers[k];
