@@ -11,6 +11,9 @@ namespace {
 
 /// A contact point's gap may miss that of its pressure by this many times the tolerance of the forces, in parts of the deepest gap.
 constexpr double gap_scale = 1e-3;
+/// A tool that advances by more than this part of an element in a step is likely too fast; an organ that gives way this many times as fast as
+/// at first is likely near a limit point.
+constexpr double too_fast = 0.5, steep = 4;
 /// Beyond this growth of the residual an iteration is lost, and a smaller step is cheaper.
 constexpr double lost = 1e3;
 
@@ -62,7 +65,8 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
       assembly_(model, threads),
       tangent_(static_cast<int>(model.points.size()), model.tets, is_conservative(model)),
       solver_(solver_for(tangent_, threads)),
-      fixed_(4 * model.points.size(), 0) {
+      fixed_(4 * model.points.size(), 0),
+      free_bodies_(free_bodies(model)) {
   for (const auto& p : model.prescribed) fixed_[4 * p.node + p.component] = 1;
   for (std::size_t i = 3; i < fixed_.size(); i += 4) free_pressures_ += !fixed_[i];
   std::vector<double> nodal_volume(model.points.size(), 0.0);
@@ -102,7 +106,7 @@ bool Equilibrium::factor() {
     analysed_extensions_ = tangent_.extensions();
   }
   if (solver_.factor(values)) return true;
-  trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front()};
+  trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front(), Cause::unknown};
   return false;
 }
 
@@ -117,10 +121,13 @@ Increment Equilibrium::back_substitute(const Trial& trial, const ContactSums& co
 }
 
 void Equilibrium::explain_fault(const Equations& equations) {
-  trouble_ = {words(equations.fault), centroid(model_, equations.faulty_tet)};
+  const bool inverted = equations.fault == elements::ElementFault::inverted;
+  trouble_ = {words(equations.fault) + std::string(" (tetrahedron ") + std::to_string(equations.faulty_tet) + ")",
+              centroid(model_, equations.faulty_tet), inverted ? Cause::element_inverted : Cause::law_not_stable};
 }
 
 void Equilibrium::explain_residual(const Trial& trial) {
+  if (trouble_.likely == Cause::element_inverted) return;  // what shortened the last step tells more
   int worst = 0;
   double largest = -1;
   for (int node = 0; node < static_cast<int>(model_.points.size()); ++node)
@@ -130,7 +137,7 @@ void Equilibrium::explain_residual(const Trial& trial) {
         worst = node;
       }
   trouble_ = {"Newton's method does not settle (largest unbalanced force here): try smaller steps, a finer mesh under the tool, or less depth",
-              model_.points[worst]};
+              model_.points[worst], Cause::unknown};
 }
 
 /// Work of the unbalanced forces along a step: the slope of the potential energy on the way, as far as the step keeps the volume.
@@ -151,7 +158,10 @@ bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Increment& st
   trial.state.pair_pressures = assembly_.next_pair_pressures(start.state, start.equations.contact, step, length);
   trial.prescribed = (1 - length) * start.prescribed;
   trial.equations = assembly_(trial.state, tangent_);
-  if (trial.equations.fault != elements::ElementFault::none) return false;
+  if (trial.equations.fault != elements::ElementFault::none) {
+    explain_fault(trial.equations);
+    return false;
+  }
   trial.excess = excess(trial.equations);
   trial.residual = relative_residual(trial);
   return true;
@@ -160,6 +170,7 @@ bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Increment& st
 /// Full steps where they neither invert an element, nor let the residual jump, nor climb the potential; else the length at which the
 /// slope is about to vanish, by false position (Matthies and Strang 1979, Int. J. Numer. Meth. Eng. 14:1613), or half of it.
 bool Equilibrium::line_search(Trial& trial, const Increment& step) {
+  trouble_ = {};
   const Trial start = trial;
   const double slope_before = slope(start, step);
   const bool downhill = slope_before < 0 && start.prescribed.isZero(0);
@@ -181,7 +192,6 @@ bool Equilibrium::line_search(Trial& trial, const Increment& step) {
       length = (low + high) / 2;
     }
   }
-  if (!sound) explain_fault(trial.equations);
   return sound && std::isfinite(trial.residual);
 }
 
@@ -206,6 +216,7 @@ bool Equilibrium::predict(Trial& trial, double time) {
   moved.pair_pressures = assembly_.next_pair_pressures(trial.state, last_found_.contact, step, 1);
   moved.time = time;
   trial.equations = assembly_(moved, tangent_);
+  rate_ = step.nodal.norm() / (time - trial.state.time);
   if (!step.nodal.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
   trial.state = std::move(moved);
   trial.prescribed.setZero();
@@ -240,14 +251,59 @@ bool Equilibrium::jumped_through(const State& before, const Trial& after) {
       return std::any_of(first, first + points, [](double t) { return t > 0; });
     };
     if (to > from + element_size_ && (from == 0 || touches(before)) && !touches(after.state)) {
-      trouble_ = {"the tool advances and touches the organ no more: it jumped through or slipped off; try smaller steps", tool.first_contact};
+      trouble_ = {"the tool advances and touches the organ no more: it jumped through or slipped off; try smaller steps",
+                  tool.first_contact, Cause::tool_too_fast};
       return true;
     }
   }
   return false;
 }
 
+/// Nothing says where a free body is: any place is an equilibrium.
+bool Equilibrium::drifts(const State& state) {
+  for (const auto& body : free_bodies_)
+    if (!touched(model_, state, body)) {
+      trouble_ = {"a body is held by nothing, and nothing touches it", body.place_mm, Cause::body_not_held};
+      return true;
+    }
+  return false;
+}
+
+/// Looks for what is more telling than what stopped Newton's method.
+void Equilibrium::explain_stop(const State& from, double time) {
+  if (trouble_.likely == Cause::body_not_held || trouble_.likely == Cause::tool_too_fast) return;
+  for (const auto& body : free_bodies_)
+    if (!touched(model_, from, body)) {
+      trouble_ = {"a body can move freely (" + std::to_string(body.motions) + " of 6 rigid motions) and nothing touched it: hold it by [base], [[spring]] or "
+                  "[[displacement]], or bring it into contact by smaller steps", body.place_mm, Cause::body_not_held};
+      return;
+    }
+  for (std::size_t i = 0; i < model_.tools.size(); ++i) {
+    const auto& tool = model_.tools[i];
+    const double way = std::abs(tool.travel(time) - tool.travel(from.time));
+    if (tool.force_controlled || way <= too_fast * element_size_) continue;
+    trouble_.cause += "; the tool advances by " + std::to_string(way) + " mm in this step, " + std::to_string(way / element_size_) +
+                      " of an element: slower, or more steps";
+    trouble_.likely = Cause::tool_too_fast;
+    return;
+  }
+  if (rates_.size() < 2 || !(rates_.back() > steep * rates_.front())) return;
+  trouble_.cause += "; the organ gave way " + std::to_string(rates_.back() / rates_.front()) +
+                    " times as fast as at first: the load may be beyond a limit point; try less of it, or control the motion instead";
+  trouble_.likely = Cause::beyond_limit_point;
+}
+
 std::optional<Found> Equilibrium::find(State& state, double time) {
+  const double from = state.time;
+  rate_ = 0;
+  trouble_ = {};
+  auto found = solve(state, time);
+  if (!found) explain_stop(state, time);
+  else if (rate_ > 0 && time > from) rates_.push_back(rate_);
+  return found;
+}
+
+std::optional<Found> Equilibrium::solve(State& state, double time) {
   Trial trial;
   trial.state = state;
   assembly_.remember(trial.state);
@@ -264,10 +320,11 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
   }
   if (!newton(trial)) return {};
   if (trial.iterations > 0 && tangent_.symmetric() && solver_.negative_pivots() != free_pressures_) {
-    trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front()};
+    trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front(),
+                Cause::beyond_limit_point};
     return {};
   }
-  if (jumped_through(state, trial)) return {};
+  if (jumped_through(state, trial) || drifts(trial.state)) return {};
   state = std::move(trial.state);
   at_equilibrium_ = trial.iterations > 0;
   last_found_ = trial.equations;

@@ -6,14 +6,19 @@
 #include <vector>
 
 #include <solver/implicit/assembly.hpp>
+#include <solver/implicit/free_bodies.hpp>
 #include <solver/implicit/sparse_direct.hpp>
 
 namespace palpate::implicit {
+
+/// What is most likely behind a step that was not found.
+enum class Cause { unknown, element_inverted, law_not_stable, tool_too_fast, body_not_held, beyond_limit_point };
 
 /// Why no equilibrium was found.
 struct Trouble {
   std::string cause;         ///< in words, with what to try
   Eigen::Vector3d place_mm;  ///< in the organ's rest shape
+  Cause likely = Cause::unknown;
 };
 
 struct NewtonLimits {
@@ -43,6 +48,8 @@ class Equilibrium {
 
  private:
   struct Trial;
+  std::optional<Found> solve(State& state, double time);
+  bool drifts(const State& state);
   bool predict(Trial& trial, double time);
   bool newton(Trial& trial);
   bool line_search(Trial& trial, const Increment& step);
@@ -54,6 +61,7 @@ class Equilibrium {
   void add_travels(const ContactSums& contact, const std::vector<double>& excess, Increment& step);
   double relative_residual(const Trial& trial) const;
   void explain_residual(const Trial& trial);
+  void explain_stop(const State& from, double time);
   void explain_fault(const Equations& equations);
 
   const Model& model_;
@@ -68,6 +76,9 @@ class Equilibrium {
   double volume_scale_ = 0, force_floor_ = 0, element_size_ = 0;
   bool at_equilibrium_ = false;  ///< the factor is the tangent's at the last state found
   Equations last_found_;         ///< of that state
+  std::vector<FreeBody> free_bodies_;
+  double rate_ = 0;              ///< of the step at hand, see below
+  std::vector<double> rates_;    ///< of the predictor, mm/s, one per step found: they grow without bound towards a limit point
   Trouble trouble_;
 };
 

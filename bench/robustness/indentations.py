@@ -1,0 +1,123 @@
+"""Sixty indentations, three organs × seven tools × seven laws × nu from 0.3 to exactly 1/2 × friction 0, 0.3, 0.8, to 40 % of the organ's
+thickness under the tool: who reaches full depth, who stops and why, and whether forces balance. Numbers kept, not asserted.
+
+    python3 bench/robustness/indentations.py BIN FOLDER [NUMBER ...]
+
+BIN: the folder of the executables (palpate-surface, palpate-mesh, palpate-solve); FOLDER: meshes, cases and table.csv; NUMBERs from 0 to 59: only
+these. table.csv: number, organ, tool, law, nu, friction, exit code, seconds, iterations, cuts, worst force imbalance, worst penetration (of a face),
+peak force (N), nodes, message.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import time
+
+import organs
+
+MU = 0.0067  # MPa
+TOOLS = ["rod", "ball", "flat_punch", "rounded_punch", "box", "cylinder", "plane"]
+LAWS = ["hooke", "neo_hookean", "mooney_rivlin", "yeoh", "fung_demiray", "ogden", "hgo"]
+NUS = [0.3, 0.4, 0.45, 0.49, 0.5]
+FRICTIONS = [0, 0.3, 0.8]
+
+
+def combination(number):
+    """Every pair of values comes together in some case; the strides share no factor with the lists' lengths."""
+    organ = list(organs.SHAPES)[number % 3]
+    i = number // 3
+    return organ, TOOLS[(i + 2 * (number % 3)) % 7], LAWS[(3 * i + i // 7 + number) % 7], NUS[(2 * i + number) % 5], FRICTIONS[(i + i // 3 + number) % 3]
+
+
+def material(law, nu):
+    keys = {"hooke": f"E = {2 * MU * (1 + nu)}\nnu = {nu}", "neo_hookean": f"mu = {MU}", "mooney_rivlin": f"C10 = {MU * 0.3}\nC01 = {MU * 0.2}",
+            "yeoh": f"C10 = {MU / 2}\nC20 = {MU / 4}\nC30 = {MU / 20}", "fung_demiray": f"mu = {MU}\nb = 1.0",
+            "ogden": "mu1 = 0.004\nalpha1 = 3.0\nmu2 = 0.002\nalpha2 = -4.0\nmu3 = 0.0007\nalpha3 = 8.0",
+            "hgo": f"mu = {MU}\nk1 = 0.004\nk2 = 1.5\nangle_deg = 35.0\naxis_x = 1.0\naxis_y = 0.0\naxis_z = 0.0\nside_x = 0.0\nside_y = 1.0\nside_z = 0.0"}
+    kappa = "" if law == "hooke" or nu == 0.5 else f"\nkappa = {2 * MU * (1 + nu) / (3 * (1 - 2 * nu))}"
+    return f'[material]\nlaw = "{law}"\n{keys[law]}{kappa}\n'
+
+
+def tool(kind, thickness):
+    r = 0.2 * thickness
+    size = {"rod": f"radius_mm = {r}", "ball": f"radius_mm = {1.5 * r}", "flat_punch": f"radius_mm = {r}\nedge_radius_mm = {0.3 * r}",
+            "rounded_punch": f"radius_mm = {r}\ndome_radius_mm = {2 * r}\nedge_radius_mm = {0.3 * r}",
+            "box": f"width_mm = {2 * r}\nlength_mm = {4 * r}\nheight_mm = {thickness}\nedge_radius_mm = {0.4 * r}",
+            "cylinder": f"radius_mm = {r}\nlength_mm = {4 * r}\nedge_radius_mm = {0.4 * r}", "plane": ""}
+    return f'kind = "{kind}"\n{size[kind]}\n'
+
+
+def run(command):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True)
+
+
+def meshed(name, tools_folder, folder):
+    """The organ's mesh, once; its lowest and highest point under the tool."""
+    x, y, edge, fine = organs.AIMS[name]
+    points, triangles = organs.write_stl(folder / f"{name}.stl", organs.SHAPES[name])
+    low, high = organs.span_along_z(points, triangles, x, y)
+    mesh = folder / f"{name}.vtu"
+    if not mesh.exists():
+        for command in ([tools_folder / "palpate-surface", folder / f"{name}.stl", folder / f"{name}.vtp", "--edge", edge * 0.8, "--force", "--quiet"],
+                        [tools_folder / "palpate-mesh", folder / f"{name}.vtp", mesh, "--edge", edge, f"--focus={x},{y},{high}",
+                         "--focus-edge", fine, "--focus-radius", 0.45 * (high - low), "--quiet"]):
+            done = run(command)
+            if done.returncode:
+                sys.exit(done.stderr)
+    return mesh, low, high
+
+
+def case_text(number, mesh, low, high):
+    organ, kind, law, nu, friction = combination(number)
+    x, y, _, _ = organs.AIMS[organ]
+    thickness = high - low
+    return f"""schema = "palpate-case/1"
+mesh = "{mesh.name}"
+{material(law, nu)}
+[base]
+plane = {{ point_mm = [0.0, 0.0, {low + 0.2 * thickness}], normal = [0.0, 0.0, 1.0] }}
+
+[tool]
+{tool(kind, thickness)}aim_mm = [{x}, {y}, {low}]
+axis = [0.0, 0.0, -1.0]
+depth_mm = {0.4 * thickness}
+friction = {friction}
+
+[steps]
+count = 8
+frames = 1
+"""
+
+
+def main():
+    tools_folder, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    reached = 0
+    numbers = [int(n) for n in sys.argv[3:]] or range(60)
+    with open(folder / "table.csv", "a") as table:
+        for number in numbers:
+            organ, kind, law, nu, friction = combination(number)
+            mesh, low, high = meshed(organ, tools_folder, folder)
+            case, result = folder / f"case_{number:02}.toml", folder / f"case_{number:02}"
+            case.write_text(case_text(number, mesh, low, high))
+            begin = time.time()
+            done = run([tools_folder / "palpate-solve", case, result, "--force", "--quiet", "--threads", 1])
+            seconds = time.time() - begin
+            row = [number, organ, kind, law, nu, friction, done.returncode, f"{seconds:.0f}"]
+            if done.returncode == 0:
+                facts = json.loads((result / "summary.json").read_text())
+                row += [facts["iterations"], facts["cuts"], f"{facts['worst_force_imbalance']:.1e}", f"{facts['worst_penetration_of_element_size']:.4f}",
+                        f"{facts['peak_force_N']:.4g}", facts["nodes"], ""]
+                reached += 1
+            else:
+                row += ["", "", "", "", "", "", done.stderr.strip().replace("\n", " ").replace(",", ";")]
+            line = ",".join(str(v) for v in row)
+            table.write(line + "\n")
+            table.flush()
+            print(line, flush=True)
+    print(f"{reached} of {len(numbers)} reached full depth")
+
+
+main()
