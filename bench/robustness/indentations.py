@@ -1,3 +1,5 @@
+# Sixty generated indentations: who reaches full depth, who stops and why.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Sixty indentations, three organs × seven tools × seven laws × nu from 0.3 to exactly 1/2 × friction 0, 0.3, 0.8, to 40 % of the organ's
 thickness under the tool: who reaches full depth, who stops and why, and whether forces balance. Numbers kept, not asserted.
 
@@ -6,8 +8,6 @@ thickness under the tool: who reaches full depth, who stops and why, and whether
 BIN: the folder of the executables (palpate-surface, palpate-mesh, palpate-solve); FOLDER: meshes, cases and table.csv; NUMBERs from 0 to 59: only
 these. table.csv: number, organ, tool, law, nu, friction, exit code, seconds, iterations, cuts, worst force imbalance, worst penetration (of a face),
 peak force (N), nodes, message.
-
-SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
 import pathlib

@@ -1,6 +1,6 @@
+# Three organs as spheres of triangles pulled into shape.
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Three organs as spheres of triangles pulled into shape: an ovoid ovary, a pear-shaped uterus, a bean-shaped kidney; written as .stl in mm.
-
-SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
 
