@@ -132,10 +132,14 @@ NullDistribution nulls(Session& s, const Linear& l, const std::vector<Candidate>
   return null_distribution(null, count, seed);
 }
 
-/// Share by which the leave-one-run-out excess falls.
+/// Share by which the leave-one-run-out excess falls; of the whole left-out misfit where noise is so wide that there is no excess.
 double fall_of(const Session& s, double before, const Model& after) {
   const double excess = left_out_excess(s.problem, after);
-  return before > 0 ? 1 - std::max(excess, 0.0) / before : 0;
+  if (before > 0) return 1 - std::max(excess, 0.0) / before;
+  double blocks = 0;
+  for (std::size_t run : s.problem.runs)
+    if (s.set->runs[run].role == Role::fit) blocks += s.forward->blocks(run);
+  return (before - excess) / std::max(before + blocks, 1e-300);
 }
 
 double null_excess(const Session& s) {
