@@ -1,6 +1,6 @@
 // Three-node shell triangle: constant membrane strain, constant curvature from directors at the middles of the edges (Morley 1971),
 // finite rotations, hyperelastic through five points of the thickness. Decision 050.
-//   a = FᵀF,  h = Σ_k 2 tan(φ_k/2) (L_k/l_k) P_k,  P_k = (L_k/A) M_k ⊗ M_k,  K = 2 h − (b0 a + a b0),
+//   a = FᵀF,  h = Σ_k 4 tan(φ_k/4) (L_k/l_k) P_k,  P_k = (L_k/A) M_k ⊗ M_k,  K = 2 h − (b0 a + a b0),
 //   C(ζ) = a + ζ K + ½ ζ² K a⁻¹ K σ²/(1 + σ²),  σ² = ζ² tr(K a⁻¹)²
 // φ_k: angle from the triangle's normal to the director of edge k; L, l, M: the edge's length at rest and now, its outward normal at
 // rest. h is the curvature times the stretch of the thickness, so C is linear in ζ as it is in Rivlin's bent block; the last term, of
@@ -52,7 +52,7 @@ struct ShellStrain {
   Vector<T> F1, F2, n;
   std::array<Vector<T>, 3> edge;
   T twice_area;
-  std::array<T, 3> length, f, f_slope;  ///< f = 2 tan(φ/2)
+  std::array<T, 3> length, f, f_slope;  ///< f = 4 tan(φ/4)
   InPlane<T> a, K;
   InPlane<T> inverse, Q;                ///< a⁻¹, K a⁻¹ K
   T Bxx, Bxy, Byx, Byy;                 ///< a⁻¹ K
@@ -74,8 +74,9 @@ PALPATE_INLINE ShellStrain<T> shell_strain(const ShellRest<T>& rest, const Shell
     const T length = root(dot(s.edge[k], s.edge[k])), over = 1.0 / length;
     const T sine = dot(now.director[k], cross(s.edge[k], s.n)) * over, cosine = dot(now.director[k], s.n);
     s.length[k] = length;
-    s.f_slope[k] = 2.0 / (1.0 + cosine);
-    s.f[k] = sine * s.f_slope[k];
+    const T half = sine / (1.0 + cosine), quarter = half / (1.0 + root(1.0 + half * half));  // tan(φ/2), tan(φ/4)
+    s.f[k] = 4.0 * quarter;
+    s.f_slope[k] = 1.0 + quarter * quarter;
     const T weight = s.f[k] * rest.length[k] * over;
     h = {h.xx + weight * rest.P[k].xx, h.yy + weight * rest.P[k].yy, h.xy + weight * rest.P[k].xy};
   }

@@ -134,6 +134,7 @@ void SelfContact::search(const WallState& state) {
       }
     });
   }
+  std::stable_sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.node < b.node; });
 }
 
 void SelfContact::touch(const WallState& state, double stiffness, double friction, std::vector<Lanes>& force) {
@@ -145,31 +146,41 @@ void SelfContact::touch(const WallState& state, double stiffness, double frictio
     }
   if (moved > skin_ * skin_ / 4) search(state);
   active_ = 0, area_ = 0;
-  std::vector<char> counted;
-  for (const Pair& pair : pairs_) {
-    const auto& t = wall_.triangles[pair.triangle];
-    const Lanes& p = state.x[pair.node];
-    const auto w = nearest(p, state.x[t[0]], state.x[t[1]], state.x[t[2]]);
-    const Lanes apart = p - at(state.x, t, w);
-    const double distance = length3(apart);
-    const double wanted = (wall_.thickness[pair.node] + w[0] * wall_.thickness[t[0]] + w[1] * wall_.thickness[t[1]] + w[2] * wall_.thickness[t[2]]) / 2;
-    if (!(distance < wanted) || !(distance > 0)) continue;
-    if (counted.empty()) counted.assign(state.x.size(), 0);
-    ++active_;
-    if (!counted[pair.node]) area_ += node_area_[pair.node], counted[pair.node] = 1;
-    double softness = 1 / wall_.mass[pair.node];
-    for (int k = 0; k < 3; ++k) softness += w[k] * w[k] / wall_.mass[t[k]];
-    const double normal = stiffness / softness * (wanted - distance);
-    const Lanes n = apart / distance;
-    Lanes f = normal * n;
-    if (friction > 0) {
-      const Lanes v = state.v[pair.node] - at(state.v, t, w), slip = v - dot3(v, n) * n;
-      f -= friction * normal / std::max(length3(slip), 1.0) * slip;
-    }
-    force[pair.node] += f;
-    for (int k = 0; k < 3; ++k) force[t[k]] -= w[k] * f;
-    deepest_ = std::max(deepest_, wanted - distance);
+  for (std::size_t first = 0, last = 0; first < pairs_.size(); first = last) {
+    Near near{};
+    for (; last < pairs_.size() && pairs_[last].node == pairs_[first].node; ++last) consider(state, pairs_[last], near);
+    push_apart(state, near, stiffness, friction, force);
   }
+}
+
+/// Of the triangles about a node the one it is deepest in: one force per node, however fine the mesh is against the wall.
+void SelfContact::consider(const WallState& state, const Pair& pair, Near& near) const {
+  const auto& t = wall_.triangles[pair.triangle];
+  const Lanes& p = state.x[pair.node];
+  const auto w = nearest(p, state.x[t[0]], state.x[t[1]], state.x[t[2]]);
+  const Lanes apart = p - at(state.x, t, w);
+  const double distance = length3(apart);
+  const double wanted = (wall_.thickness[pair.node] + w[0] * wall_.thickness[t[0]] + w[1] * wall_.thickness[t[1]] + w[2] * wall_.thickness[t[2]]) / 2;
+  if (distance > 0 && wanted - distance > near.depth) near = {pair, w, apart / distance, wanted - distance};
+}
+
+void SelfContact::push_apart(const WallState& state, const Near& near, double stiffness, double friction, std::vector<Lanes>& force) {
+  if (!(near.depth > 0)) return;
+  const auto& t = wall_.triangles[near.pair.triangle];
+  const int node = near.pair.node;
+  double softness = 1 / wall_.mass[node];
+  for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall_.mass[t[k]];
+  const double normal = stiffness / softness * near.depth;
+  Lanes f = normal * near.normal;
+  if (friction > 0) {
+    const Lanes v = state.v[node] - at(state.v, t, near.weights), slip = v - dot3(v, near.normal) * near.normal;
+    f -= friction * normal / std::max(length3(slip), 1.0) * slip;
+  }
+  force[node] += f;
+  for (int k = 0; k < 3; ++k) force[t[k]] -= near.weights[k] * f;
+  ++active_;
+  area_ += node_area_[node];
+  deepest_ = std::max(deepest_, near.depth);
 }
 
 int crossings(const Wall& wall, const std::vector<Lanes>& x) {

@@ -23,7 +23,16 @@ class SelfContact {
   struct Pair {
     int node, triangle;
   };
+  /// How deep a node is in the wall around a triangle, and where.
+  struct Near {
+    Pair pair;
+    std::array<double, 3> weights;
+    Lanes normal;
+    double depth;  ///< mm
+  };
   void search(const WallState& state);
+  void consider(const WallState& state, const Pair& pair, Near& near) const;
+  void push_apart(const WallState& state, const Near& near, double stiffness, double friction, std::vector<Lanes>& force);
 
   const Wall& wall_;
   std::vector<double> node_area_;

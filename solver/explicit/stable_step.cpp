@@ -68,7 +68,7 @@ double stable_step(const Wall& wall, const WallState& state, int t) {
   Eigen::Matrix<double, 3, 3> Bk;  // curvature by the three angles: (l/A) m ⊗ m, m = −g/|g|
   for (int k = 0; k < 3; ++k) {
     const Vector2d m = -g[k].normalized();
-    Bk.col(k) = 2 * g[k].norm() * Eigen::Vector3d(m.x() * m.x(), m.y() * m.y(), 2 * m.x() * m.y());
+    Bk.col(k) = s.f_slope[k] * 2 * g[k].norm() * Eigen::Vector3d(m.x() * m.x(), m.y() * m.y(), 2 * m.x() * m.y());
   }
   bending = Bk * (Matrix3d::Identity() / inertia + by_normal * by_normal.transpose() / mass) * Bk.transpose() * (thickness * thickness / 12);
   const Matrix3d R = root_of_stiffness(mu, nu);

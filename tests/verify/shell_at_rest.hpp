@@ -80,7 +80,7 @@ struct AtRest {
       }
       for (int i = 0; i < 12; ++i)
         for (int j = 0; j < 12; ++j)
-          if (!is_fixed(number[i]) && !is_fixed(number[j])) entries.emplace_back(number[i], number[j], (K(i, j) + K(j, i)) / 2);
+          if (!is_fixed(number[i]) && !is_fixed(number[j])) entries.emplace_back(number[i], number[j], K(i, j));
     }
     const int size = 3 * n + static_cast<int>(wall.edges.size());
     for (int i = 0; i < size; ++i)
@@ -95,10 +95,11 @@ struct AtRest {
     double scale = 0;
     for (const Lanes& f : load) scale = std::max(scale, length3(f));
     for (double m : moment) scale = std::max(scale, std::abs(m));
+    if (scale == 0) scale = 1;  // only prescribed places: N
     for (int step = 0; step < most; ++step) {
       const Eigen::VectorXd r = residual(state);
       if (r.lpNorm<Eigen::Infinity>() <= tolerance * scale) return step;
-      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(tangent());
+      const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(tangent());  // spins do not commute: not quite symmetric
       if (factor.info() != Eigen::Success) throw std::runtime_error("singular tangent");
       state = moved(factor.solve(r));
     }
