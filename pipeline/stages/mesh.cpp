@@ -79,11 +79,11 @@ void check_file(Command& c, const TetMesh& mesh, double surface_volume) {
   c.note("quality", to_json(quality));
 }
 
-/// 4 mm away from the clamp keep every edge under the paper's 5.66 mm, its diagonal; 2 mm near it.
+/// 3.6 mm away from the clamp keep every edge under the paper's 5.66 mm; 2 mm near it.
 std::function<double(const Vec3&)> shell_sizes(const Command& c, const CentreLine& line) {
   SizeField sizes;
-  sizes.edge = c.has("edge") ? c.real("edge") : 4;
-  sizes.focus_edge = c.has("focus-edge") ? c.real("focus-edge") : sizes.edge / 2;
+  sizes.edge = c.has("edge") ? c.real("edge") : 3.6;
+  sizes.focus_edge = c.has("focus-edge") ? c.real("focus-edge") : std::min(2.0, sizes.edge);
   sizes.focus_radius = c.has("focus-radius") ? c.real("focus-radius") : 4 * sizes.focus_edge;
   sizes.grading = c.has("grading") ? c.real("grading") : 4 * sizes.edge;
   std::vector<double> focus;

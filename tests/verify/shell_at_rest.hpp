@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <stdexcept>
 
 #include <solver/explicit/wall_forces.hpp>
@@ -95,18 +96,25 @@ struct AtRest {
     double scale = 0;
     for (const Lanes& f : load) scale = std::max(scale, length3(f));
     for (double m : moment) scale = std::max(scale, std::abs(m));
+    const bool moments = std::any_of(moment.begin(), moment.end(), [](double m) { return m != 0; });
     if (scale == 0) scale = 1;  // only prescribed places: N
     for (int step = 0; step < most; ++step) {
       const Eigen::VectorXd r = residual(state);
       if (r.lpNorm<Eigen::Infinity>() <= tolerance * scale) return step;
-      const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(tangent());  // spins do not commute: not quite symmetric
-      if (factor.info() != Eigen::Success) throw std::runtime_error("singular tangent");
-      state = moved(factor.solve(r));
+      state = moved(moments ? solved<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(r) : solved<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(r));
     }
     throw std::runtime_error("not at rest");
   }
 
  private:
+  /// Large turns do not commute: under moments the tangent is not quite symmetric, and L D Lᵀ would not converge.
+  template <class Factor>
+  Eigen::VectorXd solved(const Eigen::VectorXd& r) const {
+    const Factor factor(tangent());
+    if (factor.info() != Eigen::Success) throw std::runtime_error("singular tangent");
+    return factor.solve(r);
+  }
+
   bool is_fixed(int i) const {
     const int n = 3 * static_cast<int>(wall.rest.size());
     return i < n ? fixed[i / 3][i % 3] : edge_fixed[i - n];
