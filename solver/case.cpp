@@ -99,6 +99,7 @@ void read_times(const Settings& steps, Case& c) {
       throw Failure(ExitCode::misuse, "times_s are not ascending, or not after 0", steps.where("times_s"), "times_s = [0.5, 1, 1.1, 2]");
     c.steps.times.push_back(t);
   }
+  if (c.steps.times.size() == 1) throw Failure(ExitCode::misuse, "times_s is empty", steps.where("times_s"), "times_s = [0.5, 1, 1.1, 2]");
   c.count = static_cast<int>(c.steps.times.size()) - 1;
 }
 

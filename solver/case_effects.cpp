@@ -18,7 +18,8 @@ std::vector<double> term_parameters(const CatalogueEntry& entry, const Settings&
   std::vector<std::vector<double>> lists;
   for (const auto& p : entry.parameters) {
     lists.push_back(one_or_many(settings, p));
-    if (lists.back().size() != lists.front().size() || lists.back().empty())
+    if (lists.back().empty()) throw Failure(ExitCode::misuse, p.name + " is an empty list", settings.where(p.name), "one value per term");
+    if (lists.back().size() != lists.front().size())
       throw Failure(ExitCode::misuse, p.name + " has " + std::to_string(lists.back().size()) + " values, " + entry.parameters[0].name + " has " + std::to_string(lists.front().size()),
                     settings.where(p.name), "one value per term in each");
   }

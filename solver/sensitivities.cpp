@@ -63,6 +63,7 @@ std::vector<std::string> number_paths(const std::string& list) {
 Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
                              implicit::Equilibrium& equilibrium, int threads)
     : equilibrium_(equilibrium), still_("", 0, read_case(settings, mesh_override), threads), scratch_(static_cast<int>(still_.the_case.model.points.size()), still_.the_case.model.tets, implicit::is_conservative(still_.the_case.model)) {
+  if (numbers.empty()) throw Failure(ExitCode::misuse, "no numbers to differentiate by", "--sensitivities", "a path such as material.mu");
   if (implicit::has_force_control(still_.the_case.model))
     throw Failure(ExitCode::misuse, "no sensitivities of a run with a tool controlled by force", settings.where("tool"), "control it by depth");
   table_ = "t[s]";

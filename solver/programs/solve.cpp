@@ -75,7 +75,10 @@ void settle(Case& the_case, implicit::Equilibrium& equilibrium, implicit::State&
 }  // namespace
 
 void run(Command& c) {
-  if (explicit_shell::is_explicit(c.input("case"))) return explicit_shell::solve(c);
+  if (explicit_shell::is_explicit(c.input("case"))) {
+    if (c.has("sensitivities")) throw Failure(ExitCode::misuse, "the explicit scheme has no sensitivities", "--sensitivities", "leave it out");
+    return explicit_shell::solve(c);
+  }
   const Settings settings = Settings::read(c.input("case"));
   const std::filesystem::path mesh = c.has("mesh") ? c.file("mesh") : "";
   Case the_case = read_case(settings, mesh);

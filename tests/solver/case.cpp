@@ -109,6 +109,26 @@ TEST_F(CaseFile, APathPressesAndLifts) {
   EXPECT_EQ(c.steps.times.back(), 4);
 }
 
+TEST_F(CaseFile, StepsEndWhereTheyAreToldAndAtCornersOfPaths) {
+  const std::string pressing = "[tool]\nkind = \"ball\"\nradius_mm = 3.0\naim_mm = [0.1, 0.2, 5.0]\naxis = [0, 0, -1]\npath = [[0, 0], [1, 1.5], [4, 0.5]]\n";
+  EXPECT_EQ(read_whole(yeoh, base + pressing + "[steps]\ncount = 2\n").steps.times, (std::vector<double>{0, 1, 2, 4}));
+  EXPECT_EQ(read_whole(yeoh, base + pressing + "[steps]\ntimes_s = [0.5, 3]\n").steps.times, (std::vector<double>{0, 0.5, 3}));
+  for (const char* times : {"[]", "[1, 0.5]", "[0, 1]", "[1, nan]", "[1]\ncount = 3"})
+    EXPECT_NE(refusal(yeoh, base + pressing + "[steps]\ntimes_s = " + times + "\n"), "") << times;
+}
+
+TEST_F(CaseFile, EffectsGoIntoTheMaterialsOfTheirRegion) {
+  const std::string two = "[[effect]]\nname = \"mullins\"\ninverse_r = 0.2\nm = 0.001\n[[effect]]\nname = \"prony\"\ng = [0.2, 0.1]\ntau_s = [1, 20]\n";
+  const auto effects = read_whole(yeoh, base + ball + two).model.materials.front().effects;
+  ASSERT_EQ(effects.size(), 2);
+  EXPECT_EQ(effects[0].effect.entry.name, "mullins");
+  EXPECT_EQ(effects[1].parameters, (std::vector<double>{0.2, 1, 0.1, 20}));
+  EXPECT_EQ(effects[1].memory_at, 1);
+  for (const char* prony : {"g = []\ntau_s = []", "g = [0.2]\ntau_s = [1, 2]", "g = [0.6, 0.5]\ntau_s = [1, 2]", "g = [0.2, nan]\ntau_s = [1, 2]",
+                            "g = 0.2\ntau_s = 0", "g = 0.2\ntau_s = 1\nregion = \"liver\""})
+    EXPECT_NE(refusal(yeoh, base + ball + "[[effect]]\nname = \"prony\"\n" + prony + "\n"), "") << prony;
+}
+
 TEST_F(CaseFile, LoadsThatAreRefused) {
   EXPECT_NE(refusal(yeoh, ball).find("nothing holds"), std::string::npos);
   EXPECT_NE(refusal(yeoh, base).find("nothing moves"), std::string::npos);
