@@ -5,9 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <array>
+#include <memory>
 #include <mutex>
-#include <utility>
 
 namespace palpate::loop {
 namespace {
@@ -101,11 +101,14 @@ double LayerFactors::punch(double a_over_h) const { return interpolated(a_, punc
 
 namespace {
 
+constexpr int tabulated = 17;  ///< ν = 0.5, 0.48, … 0.18
+
 const LayerFactors& kept_factors(bool bonded, int index) {
-  static std::map<std::pair<bool, int>, LayerFactors> kept;
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  return kept.try_emplace({bonded, index}, bonded, 0.5 - 0.02 * index).first->second;
+  static std::array<std::once_flag, 2 * tabulated> once;
+  static std::array<std::unique_ptr<const LayerFactors>, 2 * tabulated> kept;
+  const int at = 2 * index + bonded;
+  std::call_once(once[at], [&] { kept[at] = std::make_unique<const LayerFactors>(bonded, 0.5 - 0.02 * index); });
+  return *kept[at];
 }
 
 }  // namespace

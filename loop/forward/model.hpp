@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
+#include <atomic>
 
 #include <loop/forward/backbone.hpp>
 #include <loop/forward/effect.hpp>
@@ -59,7 +60,7 @@ class Forward {
   double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests
   std::vector<std::vector<int>> begin_;
   std::vector<Correction> corrections_;
-  mutable long evaluations_ = 0;
+  mutable std::atomic<long> evaluations_ = 0;
 };
 
 /// Law, parameters and active effects of tissue as one Tissue.

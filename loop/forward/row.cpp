@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/row.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate::loop {
@@ -27,14 +28,28 @@ void add_adhesion(std::vector<Spring>& springs, double work_J_per_m2, double red
   }
 }
 
+namespace {
+constexpr std::size_t most_terms = 8;
+}
+
 Row::Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go)
-    : springs_(std::move(springs)), memory_(springs_.size()), tissue_(tissue), scale_(scale), instant_(1), lets_go_(lets_go),
-      kept_(tissue.prony.size()), gained_(tissue.prony.size()) {
+    : springs_(std::move(springs)), tissue_(tissue), scale_(scale), instant_(1), lets_go_(lets_go),
+      has_memory_(!tissue.prony.empty() || tissue.mullins > 0 || tissue.set_fraction > 0), kept_(tissue.prony.size()), gained_(tissue.prony.size()) {
   for (const PronyTerm& term : tissue_.prony) instant_ -= term.g;
-  for (Memory& m : memory_) m.maxwell.assign(tissue_.prony.size(), 0);
+  stiffness_sum_ = moment_sum_ = {0};
+  for (const Spring& s : springs_) {
+    stiffness_sum_.push_back(stiffness_sum_.back() + s.stiffness);
+    moment_sum_.push_back(moment_sum_.back() + s.stiffness * s.start);
+    has_memory_ = has_memory_ || s.reach > 0;
+  }
+  if (!has_memory_) return;
+  memory_.resize(springs_.size());
+  maxwell_.assign(springs_.size() * kept_.size(), 0);
 }
 
 void Row::prepare(double dt) const {
+  if (dt == prepared_) return;
+  prepared_ = dt;
   for (std::size_t k = 0; k < kept_.size(); ++k) {
     const double ratio = dt / tissue_.prony[k].tau_s;
     kept_[k] = std::exp(-ratio);
@@ -42,64 +57,87 @@ void Row::prepare(double dt) const {
   }
 }
 
+/// Σ w (δ − δ_i)₊ by the running sums.
+double Row::elastic(double depth) const {
+  if (!lets_go_) return springs_[0].stiffness * depth;
+  const auto above = std::lower_bound(springs_.begin(), springs_.end(), depth, [](const Spring& s, double d) { return s.start < d; });
+  const std::size_t n = above - springs_.begin();
+  return stiffness_sum_[n] * depth - moment_sum_[n];
+}
+
 /// Spring force over stiffness of a state whose elongation and Maxwell branches are up to date; updates largest and set.
-double Row::carried(Memory& m) const {
+double Row::carried(Memory& m, const double* maxwell) const {
   double e = instant_ * m.elongation;
-  for (std::size_t k = 0; k < kept_.size(); ++k) e += tissue_.prony[k].g * m.maxwell[k];
+  for (std::size_t k = 0; k < kept_.size(); ++k) e += tissue_.prony[k].g * maxwell[k];
   const double size = std::abs(m.elongation);
   if (size > m.largest) {
     m.largest = size;
     m.set = tissue_.set_fraction * std::max(0.0, m.largest - tissue_.set_yield * scale_);
   }
-  if (tissue_.mullins > 0) {  // η = 1 − (1/r) erf((W_max − W)/m), W = ½ e² (Ogden and Roxburgh 1999, eq. 3.10)
+  if (tissue_.mullins > 0 && size < m.largest) {  // η = 1 − (1/r) erf((W_max − W)/m), W = ½ e² (Ogden and Roxburgh 1999, eq. 3.10)
     const double width = tissue_.mullins_scale * scale_;
     e *= 1 - tissue_.mullins * std::erf((m.largest * m.largest - size * size) / (2 * width * width));
   }
   return e - (m.elongation < 0 ? -m.set : m.set);
 }
 
-double Row::step(const Spring& spring, const Memory& before, Memory& after, double depth) const {
-  after = before;
-  const double elongation = lets_go_ ? depth - spring.start : depth;
-  const double change = elongation - before.elongation;
-  after.elongation = elongation;
-  for (std::size_t k = 0; k < kept_.size(); ++k) after.maxwell[k] = kept_[k] * before.maxwell[k] + gained_[k] * change;
-  const double force = carried(after);
+/// `maxwell` are the branches before, and become those after.
+double Row::step(std::size_t i, Memory& m, double* maxwell, double depth) const {
+  const Spring& spring = springs_[i];
+  const Memory before = m;
+  double old[most_terms];
+  const std::size_t terms = kept_.size();
+  m.elongation = lets_go_ ? depth - spring.start : depth;
+  for (std::size_t k = 0; k < terms; ++k) {
+    old[k] = maxwell[k];
+    maxwell[k] = kept_[k] * maxwell[k] + gained_[k] * (m.elongation - before.elongation);
+  }
+  const double force = carried(m, maxwell);
   const double bears = spring.reach > 0 && (before.touching || !tissue_.adhesion_on_retract_only) ? -spring.reach : 0;
   if (!lets_go_ || force > bears) {
-    after.touching = true;
+    m.touching = true;
     return spring.stiffness * force;
   }
-  after = before;  // free: the elongation at which it carries nothing, instant e + Σ g (kept q + gained (e − e₀)) = set
+  m = before;  // free: the elongation at which it carries nothing, instant e + Σ g (kept q + gained (e − e₀)) = set
   double constant = -before.set, slope = instant_;
-  for (std::size_t k = 0; k < kept_.size(); ++k) {
+  for (std::size_t k = 0; k < terms; ++k) {
     const double g = tissue_.prony[k].g;
-    constant += g * (kept_[k] * before.maxwell[k] - gained_[k] * before.elongation);
+    constant += g * (kept_[k] * old[k] - gained_[k] * before.elongation);
     slope += g * gained_[k];
   }
-  after.touching = false;
-  after.elongation = -constant / slope;
-  for (std::size_t k = 0; k < kept_.size(); ++k)
-    after.maxwell[k] = kept_[k] * before.maxwell[k] + gained_[k] * (after.elongation - before.elongation);
+  m.touching = false;
+  m.elongation = -constant / slope;
+  for (std::size_t k = 0; k < terms; ++k) maxwell[k] = kept_[k] * old[k] + gained_[k] * (m.elongation - before.elongation);
   return 0;
 }
 
+/// Springs that were touched before or are now; those behind them carry nothing (with adhesion on approach all may).
+std::size_t Row::in_play(double depth) const {
+  std::size_t n = touched_;
+  if (!lets_go_ || !tissue_.adhesion_on_retract_only) return springs_.size();
+  while (n < springs_.size() && springs_[n].start < depth) ++n;
+  return n;
+}
+
 double Row::trial(double depth, double dt) const {
+  if (!has_memory_) return elastic(depth);
   prepare(dt);
-  double force = 0;
-  Memory after;
-  for (std::size_t i = 0; i < springs_.size(); ++i) force += step(springs_[i], memory_[i], after, depth);
+  double force = 0, maxwell[most_terms];
+  const std::size_t terms = kept_.size(), count = in_play(depth);
+  for (std::size_t i = 0; i < count; ++i) {
+    Memory after = memory_[i];
+    std::copy_n(maxwell_.data() + i * terms, terms, maxwell);
+    force += step(i, after, maxwell, depth);
+  }
   return force;
 }
 
 double Row::advance(double depth, double dt) {
+  if (!has_memory_) return elastic(depth);
   prepare(dt);
   double force = 0;
-  Memory after;
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    force += step(springs_[i], memory_[i], after, depth);
-    std::swap(memory_[i], after);
-  }
+  touched_ = in_play(depth);
+  for (std::size_t i = 0; i < touched_; ++i) force += step(i, memory_[i], maxwell_.data() + i * kept_.size(), depth);
   return force;
 }
 

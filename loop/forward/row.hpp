@@ -27,7 +27,7 @@ void add_adhesion(std::vector<Spring>& springs, double work_J_per_m2, double red
 class Row {
  public:
   /// `scale` is the deepest elongation of the set: Mullins' scale and the yield of permanent set are relative to it. `lets_go`: springs
-  /// carry no tension beyond their reach.
+  /// carry no tension beyond their reach. `springs` stand in order of their start.
   Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go);
   /// The force after a further `dt` when the tool goes straight to `depth`; nothing is remembered.
   double trial(double depth, double dt) const;
@@ -36,19 +36,24 @@ class Row {
 
  private:
   struct Memory {
-    std::vector<double> maxwell;  ///< elastic elongation of each Prony term
     double elongation = 0, largest = 0, set = 0;
     bool touching = false;
   };
-  double step(const Spring& spring, const Memory& before, Memory& after, double depth) const;
-  double carried(Memory& after) const;
+  double elastic(double depth) const;
+  double carried(Memory& after, const double* maxwell) const;
+  double step(std::size_t i, Memory& after, double* maxwell, double depth) const;
+  std::size_t in_play(double depth) const;
   void prepare(double dt) const;
 
   std::vector<Spring> springs_;
+  std::vector<double> stiffness_sum_, moment_sum_;  ///< Σ w, Σ w δ of the springs before each: the elastic curve
   std::vector<Memory> memory_;
+  std::vector<double> maxwell_;  ///< elastic elongation of each Prony term, springs × terms
   const Tissue tissue_;
   double scale_, instant_;
-  bool lets_go_;
+  bool lets_go_, has_memory_;
+  std::size_t touched_ = 0;  ///< springs from here on have never been touched
+  mutable double prepared_ = -1;
   mutable std::vector<double> kept_, gained_;  ///< exp(−dt/τ) and (1 − exp(−dt/τ)) τ/dt of the current step
 };
 

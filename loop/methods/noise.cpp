@@ -54,9 +54,13 @@ Whitener::Whitener(const NoiseShape& shape, const Noise& noise) : rho_(noise.cor
   }
 }
 
-void Whitener::whiten(Eigen::Ref<MatrixXd> x) const {
+void Whitener::whiten_fast(Eigen::Ref<MatrixXd> x) const {
   x.array().colwise() /= sd_.array();
   decorrelate(rho_, x);
+}
+
+void Whitener::whiten(Eigen::Ref<MatrixXd> x) const {
+  whiten_fast(x);
   x -= U_ * (shrink_.asDiagonal() * (U_.transpose() * x)).eval();
 }
 

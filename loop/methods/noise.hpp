@@ -37,6 +37,8 @@ class Whitener {
   void whiten(Eigen::Ref<Eigen::MatrixXd> x) const;
   void colour(Eigen::Ref<Eigen::MatrixXd> z) const;
   double variance() const { return variance_; }  ///< mean over the blocks
+  /// The fast part alone: divides by the blocks' deviation and takes the correlation out.
+  void whiten_fast(Eigen::Ref<Eigen::MatrixXd> x) const;
 
  private:
   Eigen::VectorXd sd_;

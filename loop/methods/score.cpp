@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include <loop/methods/parallel.hpp>
 #include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
@@ -68,45 +70,145 @@ double NullDistribution::p(int candidate, double value) const {
 
 namespace {
 
+/// A run of the linear picture: its fast-whitened directions and columns, and their products, from which every draw's own covariance
+/// follows: Σ⁻¹ = 1 − Z C Zᵀ with C = V½ (1 + V½ ZᵀZ V½)⁻¹ V½ (Woodbury).
+struct RunProducts {
+  MatrixXd Z, ZZ, ZT, ZS, T, S;
+};
+
 struct Draw {
   std::vector<double> lambda;
   double structure;
 };
 
-Draw draw_null(const NullProblem& null, const std::vector<Whitener>& truth, const std::vector<int>& lengths, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  Stacked e{VectorXd(null.T->data.rows()), VectorXd(null.T->rows.rows())};
-  for (int i = 0; i < e.data.rows(); ++i) e.data(i, 0) = normal(random);
-  for (int i = 0; i < e.rows.rows(); ++i) e.rows(i, 0) = normal(random);
-  std::vector<VectorXd> of_run;
-  int at = 0;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    truth[i].colour(e.data.middleRows(at, lengths[i]));
-    of_run.push_back(e.data.col(0).segment(at, lengths[i]));
-    at += lengths[i];
+class Draws {
+ public:
+  explicit Draws(const NullProblem& null) : null_(null) {
+    lengths_ = lengths_of(*null.shapes);
+    const MatrixXd T = whitened(*null.problem, null.problem->whiteners, *null.T), S = whitened(*null.problem, null.problem->whiteners, *null.S);
+    // S less what T explains of it: scores do not change, and small differences stay exact.
+    MatrixXd scaled = T;
+    const VectorXd size = T.colwise().norm().cwiseMax(1e-300).transpose();
+    for (int j = 0; j < T.cols(); ++j) scaled.col(j) /= size(j);
+    const MatrixXd explained = size.cwiseInverse().asDiagonal() * scaled.colPivHouseholderQr().solve(S);
+    const Stacked left{null.S->data - null.T->data * explained, null.S->rows - null.T->rows * explained};
+    const MatrixXd own = S - T * explained;
+    for (int j = 0; j < S.cols(); ++j) seen_.push_back(own.col(j).norm() > 1e-6 * S.col(j).norm() && own.col(j).norm() > 1e-12);
+    T_rows_ = null.T->rows;
+    S_rows_ = left.rows;
+    TT_ = T_rows_.transpose() * T_rows_;
+    TS_ = T_rows_.transpose() * S_rows_;
+    SS_ = S_rows_.colwise().squaredNorm();
+    int at = 0;
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      const Whitener& w = null.problem->whiteners[i];
+      const NoiseShape& shape = (*null.shapes)[i];
+      RunProducts run{shape.Q * shape.scale.asDiagonal(), {}, {}, {}, null.T->data.middleRows(at, lengths_[i]), left.data.middleRows(at, lengths_[i])};
+      for (MatrixXd* x : {&run.Z, &run.T, &run.S}) w.whiten_fast(*x);
+      run.ZZ = run.Z.transpose() * run.Z;
+      run.ZT = run.Z.transpose() * run.T;
+      run.ZS = run.Z.transpose() * run.S;
+      TT_ += run.T.transpose() * run.T;
+      TS_ += run.T.transpose() * run.S;
+      SS_ += run.S.colwise().squaredNorm();
+      runs_.push_back(std::move(run));
+      NoiseShape drawn = shape;
+      drawn.corner.setZero();  // the same in every replicate: an error, not a draw
+      truth_.emplace_back(drawn, null.noise);
+      at += lengths_[i];
+    }
   }
-  const Noise noise = estimate_noise(*null.shapes, of_run, *null.group, null.noise.sensor_sd);
-  std::vector<Whitener> whiteners;
-  for (const NoiseShape& shape : *null.shapes) whiteners.emplace_back(shape, noise);
-  const Scores s = score(whitened(*null.problem, whiteners, *null.T), whitened(*null.problem, whiteners, *null.S),
-                         whitened(*null.problem, whiteners, e), *null.candidates, *null.columns, lengths);
-  return {s.lambda, s.structure};
+
+  /// One set without effect: drawn, its noise estimated anew, scored.
+  Draw one(std::uint64_t seed) const;
+
+ private:
+  static std::vector<int> lengths_of(const std::vector<NoiseShape>& shapes) {
+    std::vector<int> lengths;
+    for (const NoiseShape& shape : shapes) lengths.push_back(static_cast<int>(shape.Q.rows()));
+    return lengths;
+  }
+  Draw scored(const MatrixXd& TT, const MatrixXd& TS, const Eigen::RowVectorXd& SS, const VectorXd& Te, const VectorXd& Se, const MatrixXd& T, VectorXd e) const;
+
+  const NullProblem& null_;
+  std::vector<int> lengths_;
+  std::vector<RunProducts> runs_;
+  std::vector<Whitener> truth_;
+  std::vector<bool> seen_;
+  MatrixXd T_rows_, S_rows_, TT_, TS_;
+  Eigen::RowVectorXd SS_;
+};
+
+Draw Draws::one(std::uint64_t seed) const {
+  std::seed_seq words{seed & 0xffffffffu, seed >> 32};
+  std::mt19937_64 random(words);
+  std::normal_distribution<double> normal;
+  std::vector<VectorXd> drawn;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    MatrixXd e = VectorXd(lengths_[i]).unaryExpr([&](double) { return normal(random); });
+    truth_[i].colour(e);
+    drawn.push_back(e.col(0));
+  }
+  const Noise noise = estimate_noise(*null_.shapes, drawn, *null_.group, null_.noise.sensor_sd);
+  const VectorXd v = Eigen::Map<const VectorXd>(noise.sd.data(), noise.sd.size());
+  VectorXd e_rows = VectorXd(T_rows_.rows()).unaryExpr([&](double) { return normal(random); });
+  MatrixXd TT = TT_, TS = TS_;
+  Eigen::RowVectorXd SS = SS_;
+  VectorXd Te = T_rows_.transpose() * e_rows, Se = S_rows_.transpose() * e_rows;
+  const int rows = std::accumulate(lengths_.begin(), lengths_.end(), 0);
+  MatrixXd T_white(rows, TT.cols());
+  VectorXd e_white(rows);
+  int at = 0;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const RunProducts& run = runs_[i];
+    MatrixXd e = drawn[i];
+    null_.problem->whiteners[i].whiten_fast(e);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(v.asDiagonal() * run.ZZ * v.asDiagonal());
+    const VectorXd s2 = eigen.eigenvalues().cwiseMax(0);
+    const MatrixXd B = (s2.array() + 1).rsqrt().matrix().asDiagonal() * eigen.eigenvectors().transpose() * v.asDiagonal();  // C = BᵀB
+    const MatrixXd BT = B * run.ZT, BS = B * run.ZS;
+    const VectorXd Be = B * (run.Z.transpose() * e);
+    TT -= BT.transpose() * BT;
+    TS -= BT.transpose() * BS;
+    SS -= BS.colwise().squaredNorm();
+    Te += run.T.transpose() * e - BT.transpose() * Be;
+    Se += run.S.transpose() * e - BS.transpose() * Be;
+    // The symmetric root, for the structure: 1 − Z V½ E f Eᵀ V½ Zᵀ with f = (1 − 1/√(1 + s²))/s², of which B holds 1/√(1 + s²).
+    const VectorXd f = s2.unaryExpr([](double x) { return x > 1e-8 ? (std::sqrt(1 + x) - 1) / x : 0.5; });
+    const MatrixXd back = v.asDiagonal() * eigen.eigenvectors() * f.asDiagonal();
+    T_white.middleRows(at, lengths_[i]) = run.T - run.Z * (back * BT);
+    e_white.segment(at, lengths_[i]) = e - run.Z * (back * Be);
+    at += lengths_[i];
+  }
+  return scored(TT, TS, SS, Te, Se, T_white, std::move(e_white));
+}
+
+Draw Draws::scored(const MatrixXd& TT, const MatrixXd& TS, const Eigen::RowVectorXd& SS, const VectorXd& Te, const VectorXd& Se, const MatrixXd& T,
+                   VectorXd e) const {
+  const VectorXd size = TT.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const MatrixXd scaled = size.cwiseInverse().asDiagonal() * TT * size.cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
+  const VectorXd kept = eigen.eigenvalues().unaryExpr([](double x) { return x > 1e-12 ? 1 / x : 0.0; });
+  const MatrixXd inverse = size.cwiseInverse().asDiagonal() * eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose() * size.cwiseInverse().asDiagonal();
+  const VectorXd x = inverse * Te;
+  const MatrixXd of_S = inverse * TS;
+  Draw draw{std::vector<double>(null_.candidates->size(), 0.0), structure(e - T * x, lengths_)};
+  for (int j = 0; j < SS.size(); ++j) {
+    const int c = (*null_.columns)[j].candidate;
+    const double square = SS(j) - TS.col(j).dot(of_S.col(j));
+    if (!seen_[j] || !(square > 1e-12 * SS(j))) continue;
+    const double z = (Se(j) - TS.col(j).dot(x)) / std::sqrt(square);
+    if (z > 0 || (*null_.candidates)[c].is_signed()) draw.lambda[c] = std::max(draw.lambda[c], z * z);
+  }
+  return draw;
 }
 
 }  // namespace
 
-NullDistribution null_distribution(const NullProblem& null, int draws, std::uint64_t seed) {
-  std::vector<Whitener> truth;
-  std::vector<int> lengths;
-  for (const NoiseShape& shape : *null.shapes) {
-    NoiseShape drawn = shape;
-    drawn.corner.setZero();  // the same in every replicate: an error, not a draw
-    truth.emplace_back(drawn, null.noise);
-    lengths.push_back(static_cast<int>(shape.Q.rows()));
-  }
-  std::mt19937_64 random(seed);
-  std::vector<Draw> all;
-  for (int d = 0; d < draws; ++d) all.push_back(draw_null(null, truth, lengths, random));
+NullDistribution null_distribution(const NullProblem& null, int draws, std::uint64_t seed, int threads) {
+  const Draws one(null);
+  std::vector<Draw> all(draws);
+  for_each_index(draws, threads, [&](int d) { all[d] = one.one(seed * 1000003 + d); });
   NullDistribution out;
   const std::size_t count = null.candidates->size();
   for (std::size_t c = 0; c < count; ++c) {

@@ -41,6 +41,6 @@ struct NullProblem {
 };
 
 /// Draws data from the noise, estimates the noise again from the drawn replicates, whitens and scores. `seed` fixes the draws.
-NullDistribution null_distribution(const NullProblem& null, int draws, std::uint64_t seed);
+NullDistribution null_distribution(const NullProblem& null, int draws, std::uint64_t seed, int threads);
 
 }  // namespace palpate::loop

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <loop/methods/parallel.hpp>
 #include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
@@ -115,26 +116,28 @@ std::vector<Tried> try_all(Session& s, Fit& current, const Linear& l, const std:
     t.lambda_linear = l.scores.lambda[c];
     t.z = column >= 0 ? l.scores.z[column] : 0;
     t.reason = column >= 0 ? "little gain" : "wrong sign, or no signature of its own";
-    if (std::find(chosen.begin(), chosen.end(), c) != chosen.end()) {
-      t.refitted = true;
-      t.fit = best_refit(s, current.model, candidates[c], l, column);
-      t.lambda = std::max(0.0, current.chi2 - t.fit.chi2);
-      if (null) t.p = null->p(c, t.lambda);
-    }
+    t.refitted = std::find(chosen.begin(), chosen.end(), c) != chosen.end();
     tried.push_back(std::move(t));
   }
+  for_each_index(static_cast<int>(tried.size()), s.threads, [&](int i) {
+    Tried& t = tried[i];
+    if (!t.refitted) return;
+    t.fit = best_refit(s, current.model, candidates[t.candidate], l, l.scores.best[t.candidate]);
+    t.lambda = std::max(0.0, current.chi2 - t.fit.chi2);
+    if (null) t.p = null->p(t.candidate, t.lambda);
+  });
   std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return std::pair(a.refitted, a.lambda) > std::pair(b.refitted, b.lambda); });
   return tried;
 }
 
 NullDistribution nulls(Session& s, const Linear& l, const std::vector<Candidate>& candidates, int count, std::uint64_t seed) {
   NullProblem null{&s.problem, &l.T, &l.S, &candidates, &l.columns, &s.shapes, &s.group, s.noise};
-  return null_distribution(null, count, seed);
+  return null_distribution(null, count, seed, s.threads);
 }
 
 /// Share by which the leave-one-run-out excess falls; of the whole left-out misfit where noise is so wide that there is no excess.
 double fall_of(const Session& s, double before, const Model& after) {
-  const double excess = left_out_excess(s.problem, after);
+  const double excess = left_out_excess(s.problem, after, s.threads);
   if (before > 0) return 1 - std::max(excess, 0.0) / before;
   double blocks = 0;
   for (std::size_t run : s.problem.runs)
@@ -177,7 +180,7 @@ int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold
       continue;
     }
     if (!can_claim && !(t.lambda > thresholds::relevance * current.chi2 && t.lambda > 2 * thresholds::alternative)) continue;
-    if (std::isnan(before)) before = left_out_excess(s.problem, current.model);
+    if (std::isnan(before)) before = left_out_excess(s.problem, current.model, s.threads);
     if (std::isnan(before) || (!can_claim && s.problem.runs.size() < 3)) {  // too few runs to leave one out
       t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
     } else {
@@ -228,9 +231,14 @@ void exchange(Session& s, Finding& f) {
     without.active.erase(without.active.begin() + i);
     Fit base = fitted(s.problem, without);
     const Linear l = linear(s, base.model, f.candidates);
-    for (int c : worth_refitting(l, f.candidates)) {
-      if (f.candidates[c].effect == own.effect) continue;
-      Fit fit = best_refit(s, base.model, f.candidates[c], l, l.scores.best[c]);
+    const auto worth = worth_refitting(l, f.candidates);
+    std::vector<Fit> fits(worth.size());
+    for_each_index(static_cast<int>(worth.size()), s.threads, [&](int k) {
+      if (f.candidates[worth[k]].effect != own.effect) fits[k] = best_refit(s, base.model, f.candidates[worth[k]], l, l.scores.best[worth[k]]);
+    });
+    for (std::size_t k = 0; k < worth.size(); ++k) {
+      if (f.candidates[worth[k]].effect == own.effect) continue;
+      Fit& fit = fits[k];
       const double behind = 0.5 * (fit.chi2 - f.final.chi2);
       if (behind > thresholds::alternative || at_the_edge(fit)) continue;
       auto names = names_of(fit.model);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <palpate/errors.hpp>
 #include <loop/forward/register.hpp>
+#include <loop/methods/parallel.hpp>
 
 namespace palpate::loop {
 
@@ -152,7 +154,7 @@ void choose_law(Session& s) {
   for (const Law& law : laws()) {
     if (law.parameters.size() > 2 || law.name == "hooke_linear") continue;
     const Fit fit = best_fit(s.problem, start_model(*s.set, law.name));
-    const double excess = left_out_excess(s.problem, fit.model);
+    const double excess = left_out_excess(s.problem, fit.model, s.threads);
     s.laws.push_back({law.name, std::isnan(excess) ? fit.chi2 + 2 * law.parameters.size() : excess});
   }
 }
@@ -213,20 +215,21 @@ double chi2_of_run(const Problem& p, std::size_t index, const Model& model) {
   return r.squaredNorm();
 }
 
-double left_out_excess(const Problem& p, const Model& model) {
+double left_out_excess(const Problem& p, const Model& model, int threads) {
   const Set& set = p.forward->set();
-  double excess = 0;
-  int left_out = 0;
-  for (std::size_t i = 0; i < p.runs.size(); ++i) {
-    if (set.runs[p.runs[i]].role != Role::fit) continue;
+  std::vector<int> fitted_runs;
+  for (std::size_t i = 0; i < p.runs.size(); ++i)
+    if (set.runs[p.runs[i]].role == Role::fit) fitted_runs.push_back(static_cast<int>(i));
+  if (fitted_runs.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> excess(fitted_runs.size());
+  for_each_index(static_cast<int>(fitted_runs.size()), threads, [&](int k) {
+    const int i = fitted_runs[k];
     Problem without = p;
     without.runs.erase(without.runs.begin() + i);
     without.whiteners.erase(without.whiteners.begin() + i);
-    if (std::none_of(without.runs.begin(), without.runs.end(), [&](std::size_t r) { return set.runs[r].role == Role::fit; })) break;
-    excess += chi2_of_run(p, i, fitted(without, model).model) - p.forward->blocks(p.runs[i]);
-    ++left_out;
-  }
-  return left_out > 0 ? excess : std::numeric_limits<double>::quiet_NaN();
+    excess[k] = chi2_of_run(p, i, fitted(without, model).model) - p.forward->blocks(p.runs[i]);
+  });
+  return std::accumulate(excess.begin(), excess.end(), 0.0);
 }
 
 }  // namespace palpate::loop

@@ -25,6 +25,7 @@ struct Session {
   std::vector<LawTried> laws;    ///< tried, when the law was unknown
   Fit null;
   double depth_scale_mm = 1;
+  int threads = 1;
 };
 
 /// A model at its start: law and the parameters the set gives, else its typical ones.
@@ -38,7 +39,7 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct = 
 Model with_equal_weights(const Session& session, const Model& model);
 
 /// Sum over the runs left out in turn of (whitened squares − blocks), every model fitted anew without the run. NaN for one run.
-double left_out_excess(const Problem& problem, const Model& model);
+double left_out_excess(const Problem& problem, const Model& model, int threads);
 
 /// Whitened squares of one run that was not fitted.
 double chi2_of_run(const Problem& problem, std::size_t index, const Model& model);

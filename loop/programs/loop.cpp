@@ -142,6 +142,7 @@ void run_of_run(Command& c) {
   loop::Session session = loop::prepared(set, [&](loop::Forward& forward) {
     for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
   });
+  session.threads = c.threads();
   loop::Finding finding = loop::search(session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
   Json report = loop::report_json(session, finding, earlier_looks(c.final_output("result")));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
