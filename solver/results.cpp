@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include <palpate/text_file.hpp>
+#include <solver/implicit/keep.hpp>
 
 namespace palpate {
 namespace {
@@ -99,11 +100,17 @@ Driven driven(const Case& c, const implicit::Step& step) {
 
 ResultFolder::ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly)
     : folder_(std::move(folder)), case_(the_case), assembly_(assembly) {
-  std::filesystem::create_directory(folder_ / "frames");
   history_ = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations";
   for (std::size_t i = 2; i <= case_.model.tools.size(); ++i)
     for (const char* column : {"Fx", "Fy", "Fz"}) history_ += "," + std::string(column) + std::to_string(i) + "[N]";
   history_ += "\n";
+}
+
+void ResultFolder::make_folders() const { std::filesystem::create_directory(folder_ / "frames"); }
+
+void ResultFolder::keep(Archive& archive) {
+  archive(history_, frames_, files_, frame_count_, iterations_, cuts_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
+          worst_penetration_, smallest_J_);
 }
 
 void ResultFolder::settled(const implicit::Step& step) {
@@ -147,6 +154,7 @@ void ResultFolder::write_frame(const implicit::Step& step) {
   std::ostringstream name;
   name << "frames/frame_" << std::setw(4) << std::setfill('0') << frame_count_++ << ".vtu";
   write_mesh(folder_ / name.str(), case_.mesh, {displacement, pressure}, {von_mises, J});
+  files_.push_back(name.str());
   frames_ += "    <DataSet timestep=\"" + number(step.state.time) + "\" part=\"0\" file=\"" + name.str() + "\"/>\n";
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <palpate/json.hpp>
+#include <solver/archive.hpp>
 #include <solver/case.hpp>
 
 namespace palpate {
@@ -27,12 +28,18 @@ class ResultFolder {
  public:
   ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly);
 
+  void make_folders() const;
   /// Counts a step that has no row: gravity's.
   void settled(const implicit::Step& step);
   /// A row of the history; a frame too when it is time for one, or when `last`.
   void add(const implicit::Step& step, bool last);
   /// Writes history, frames' index and summary; returns the summary.
   Json finish(double time_reached);
+
+  /// What has been counted and written so far.
+  void keep(Archive& archive);
+  /// Frames written so far, from the folder.
+  const std::vector<std::string>& files() const { return files_; }
 
   double worst_force_imbalance() const { return worst_imbalance_; }
   double worst_penetration() const { return worst_penetration_; }
@@ -46,6 +53,7 @@ class ResultFolder {
   const Case& case_;
   const implicit::Assembly& assembly_;
   std::string history_, frames_;
+  std::vector<std::string> files_;
   int frame_count_ = 0, iterations_ = 0, cuts_ = 0, steps_ = 0;
   double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   std::vector<implicit::OrganSums> organs_;  ///< at the last step

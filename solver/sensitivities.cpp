@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <palpate/errors.hpp>
+#include <solver/implicit/keep.hpp>
 #include <solver/results.hpp>
 
 namespace palpate {
@@ -86,6 +87,16 @@ void Sensitivities::take_tools_away() {
 void Sensitivities::bring_tools() {
   palpate::bring_tools(still_.the_case, still_.state);
   for (auto& shadow : shadows_) palpate::bring_tools(shadow.the_case, shadow.state);
+}
+
+void Sensitivities::keep(Archive& archive) {
+  const auto keep_one = [&](Shadow& shadow) {
+    archive(shadow.state, shadow.force_rates);
+    for (auto& tool : shadow.the_case.model.tools) archive(tool.first_contact);
+  };
+  keep_one(still_);
+  for (auto& shadow : shadows_) keep_one(shadow);
+  archive(table_);
 }
 
 /// The shadow at the run's new displacements, with its own memory and numbers.

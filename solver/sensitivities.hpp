@@ -41,6 +41,8 @@ class Sensitivities {
   void follow(const implicit::State& found);
   /// A row at a reported step.
   void add(const implicit::Step& step);
+  /// What the shadows remember between two steps, and the table.
+  void keep(Archive& archive);
   /// `t[s]`, then for every number the derivatives of the history's forces by it.
   const std::string& table() const { return table_; }
 

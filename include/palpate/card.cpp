@@ -116,6 +116,12 @@ std::string sha256(const fs::path& path) {
   return hash.hex();
 }
 
+std::string sha256_of_bytes(const std::string& bytes) {
+  Sha256 hash;
+  hash.add(bytes.data(), bytes.size());
+  return hash.hex();
+}
+
 std::string sha256_of_names(const fs::path& folder, const std::vector<fs::path>& except) {
   std::vector<fs::path> own;
   for (const auto& path : except)

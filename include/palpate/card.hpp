@@ -29,6 +29,9 @@ std::filesystem::path card_path(const std::filesystem::path& output);
 /// SHA-256 in hex of a file, or of a folder: the hash of its sorted relative names and file hashes.
 std::string sha256(const std::filesystem::path& path);
 
+/// SHA-256 in hex of these bytes.
+std::string sha256_of_bytes(const std::string& bytes);
+
 /// SHA-256 in hex of the sorted relative names of a folder's files; `except` and their cards do not count, nor does what is
 /// still being written.
 std::string sha256_of_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& except);

@@ -60,6 +60,7 @@ void Command::warn(const std::string& message) {
 }
 void Command::check(const Check& check) { state_->checks.push_back(check); }
 void Command::note(const std::string& key, Json value) { state_->notes[key] = std::move(value); }
+Json Command::identity() const { return identity_of(*state_); }
 void Command::add_input(const std::string& name, const fs::path& path) { hash_input(*state_, name, path); }
 
 }  // namespace palpate

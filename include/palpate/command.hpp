@@ -24,7 +24,7 @@ class Command {
 
   const std::filesystem::path& input(const std::string& name) const;
   /// Where to write an output or side output: a temporary name that becomes the real one when run() returns.
-  /// A folder exists and is empty.
+  /// A folder exists and is empty, or is what a killed run left (Usage::continues).
   std::filesystem::path output(const std::string& name) const;
   /// The name the user gave, for messages and for paths relative to it.
   std::filesystem::path final_output(const std::string& name) const;
@@ -57,6 +57,9 @@ class Command {
   /// A file that is read besides the declared inputs (a case's mesh): hashed in the card. Throws Failure(misuse) when it is one
   /// of the outputs.
   void add_input(const std::string& name, const std::filesystem::path& path);
+
+  /// What the outputs' bytes follow from: this very program, its options, threads, and the hashes of all inputs so far.
+  Json identity() const;
 
   struct State;  // command_state.hpp
   State& state() { return *state_; }

@@ -89,6 +89,15 @@ Json card_before(const Command::State& state) {
   return head(state, std::move(inputs));
 }
 
+Json identity_of(const Command::State& state) {
+  Json options = Json::object(), inputs = Json::array();
+  for (const auto& option : state.usage.options)
+    if (option.kind != OptionKind::file) options[option.name] = state.arguments.options.at(option.name);
+  for (const auto& input : state.inputs) inputs.push_back({input.at("name"), input.at("sha256")});
+  return {{"program", sha256("/proc/self/exe")}, {"options", options}, {"inputs", inputs}, {"threads", thread_count(state)},
+          {"seed", state.arguments.options.at("seed")}};
+}
+
 void hash_inputs(Command::State& state) {
   std::vector<fs::path> own;
   for (const auto& [name, target] : state.targets) own.push_back(target);

@@ -11,6 +11,9 @@ Json card_before(const Command::State& state);
 /// The whole card; the outputs stand under their temporary names. `seconds`: of run().
 Json card_after(const Command::State& state, double seconds);
 
+/// See Command::identity().
+Json identity_of(const Command::State& state);
+
 /// Hashes the declared inputs (arguments and files given as options) into `state.inputs`.
 void hash_inputs(Command::State& state);
 

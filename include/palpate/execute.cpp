@@ -43,7 +43,8 @@ void open_outputs(Command::State& state) {
   expect_distinct_outputs(state);
   for (const auto& spec : state.usage.outputs) {
     const auto kind = spec.kind == ArgumentKind::file ? PendingOutput::Kind::file : PendingOutput::Kind::folder;
-    state.outputs.emplace(spec.name, PendingOutput(state.targets.at(spec.name), kind, force));
+    const auto leftovers = state.usage.continues ? PendingOutput::Leftovers::handed_over : PendingOutput::Leftovers::removed;
+    state.outputs.emplace(spec.name, PendingOutput(state.targets.at(spec.name), kind, force, leftovers));
   }
   for (const auto& side : state.usage.side_outputs)
     state.outputs.emplace(side.name, PendingOutput(state.targets.at(side.name), PendingOutput::Kind::file, force));

@@ -70,6 +70,23 @@ void refuse_to_overwrite(const fs::path& target, PendingOutput::Kind kind, bool 
                   target.string(), "another name, or remove the folder yourself");
 }
 
+/// The newest folder of a dead writer gets the name of this one.
+void take_on_leftovers(const fs::path& target, const fs::path& temporary) {
+  fs::path newest;
+  fs::file_time_type time;
+  for (const auto& entry : fs::directory_iterator(parent_of(target))) {
+    const int pid = writer_of(entry.path().filename().string(), target.filename().string());
+    if (pid <= 0 || (pid != getpid() && is_alive(pid)) || !entry.is_directory()) continue;
+    if (!newest.empty() && entry.last_write_time() <= time) continue;
+    newest = entry.path();
+    time = entry.last_write_time();
+  }
+  if (newest.empty() || newest == temporary) return;
+  fs::remove_all(temporary);
+  std::error_code another_was_faster;
+  fs::rename(newest, temporary, another_was_faster);
+}
+
 }  // namespace
 
 void remove_leftovers(const fs::path& target) {
@@ -80,7 +97,7 @@ void remove_leftovers(const fs::path& target) {
     }
 }
 
-PendingOutput::PendingOutput(fs::path target, Kind kind, bool force) : target_(std::move(target)), kind_(kind) {
+PendingOutput::PendingOutput(fs::path target, Kind kind, bool force, Leftovers leftovers) : target_(std::move(target)), kind_(kind) {
   if (!target_.has_filename()) target_ = target_.parent_path();  // "dicom/" is "dicom"
   if (!fs::is_directory(parent_of(target_)))
     throw Failure(ExitCode::misuse, "the output's folder does not exist", parent_of(target_).string(), "mkdir -p it first");
@@ -88,9 +105,10 @@ PendingOutput::PendingOutput(fs::path target, Kind kind, bool force) : target_(s
   if (access(parent_of(target_).c_str(), W_OK | X_OK) != 0)
     throw Failure(ExitCode::unreadable, std::string("cannot write into the output's folder: ") + std::strerror(errno),
                   parent_of(target_).string(), "another folder, or its permissions");
-  remove_leftovers(target_);
   temporary_ = temporary_of(target_);
-  fs::remove_all(temporary_);  // of a killed process that had the number this one has now
+  if (leftovers == Leftovers::handed_over) take_on_leftovers(target_, temporary_);
+  else fs::remove_all(temporary_);  // of a killed process that had the number this one has now
+  remove_leftovers(target_);
   if (kind == Kind::folder) fs::create_directory(temporary_);
 }
 

@@ -9,14 +9,16 @@ namespace palpate {
 void remove_leftovers(const std::filesystem::path& target);
 
 /// One output on its way. Destroyed without commit(), it leaves nothing behind; leftovers of a killed run are removed by the
-/// next.
+/// next, or taken on by it.
 class PendingOutput {
  public:
   enum class Kind { file, folder };
+  /// What becomes of the folder that a killed writer left: removed, or handed over as it is (the newest one).
+  enum class Leftovers { removed, handed_over };
   /// Throws Failure(misuse) when `target` exists and `force` is false, when its parent is missing, when it is neither file nor
   /// folder (a device), or when forcing would replace a folder that no card says is ours; Failure(unreadable) when its folder is
   /// not writable.
-  PendingOutput(std::filesystem::path target, Kind kind, bool force);
+  PendingOutput(std::filesystem::path target, Kind kind, bool force, Leftovers leftovers = Leftovers::removed);
   ~PendingOutput();
   PendingOutput(PendingOutput&&) noexcept;
   PendingOutput(const PendingOutput&) = delete;

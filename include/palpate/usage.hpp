@@ -54,6 +54,7 @@ struct Usage {
   std::vector<ArgumentSpec> inputs, outputs;
   std::vector<SideOutputSpec> side_outputs;
   std::vector<OptionSpec> options;
+  bool continues = false;           ///< an output folder that a killed run left is handed to the next run as it is
   std::function<std::vector<CatalogueEntry>()> catalogue;  ///< this program's part of `palpate list`; may be empty
 
   std::string program() const { return prefix + name; }

@@ -8,6 +8,7 @@
 
 #include <palpate/text_file.hpp>
 #include <solver/explicit/closing.hpp>
+#include <solver/restart.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
@@ -126,6 +127,7 @@ void solve(Command& command) {
   if (!command.has("mesh")) command.add_input("mesh", c.mesh_path);
   Closing closing(c, command.threads());
   command.say(std::to_string(c.wall.rest.size()) + " nodes, " + std::to_string(c.wall.triangles.size()) + " triangles, jaws " + std::to_string(closing.jaws.start_gap()) + " mm apart");
+  Restart(command, command.output("result")).read();  // this scheme starts from the beginning
   Report report(closing, command.output("result"));
   Progress progress = command.progress("solve", c.rows);
   Row last;

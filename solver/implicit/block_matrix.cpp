@@ -32,6 +32,10 @@ void BlockMatrix::lay_out(const std::vector<std::vector<int>>& lower) {
     row_start_.push_back(static_cast<int>(column_.size()));
   }
   blocks_.assign(column_.size(), Block::Zero());
+  place_tets();
+}
+
+void BlockMatrix::place_tets() {
   tet_places_.clear();
   for (const auto& tet : tets_) {
     TetPlaces places{{0, 1, 2, 3}, {}};
@@ -40,6 +44,11 @@ void BlockMatrix::lay_out(const std::vector<std::vector<int>>& lower) {
       for (int j = 0; j <= i; ++j) places.block[k++] = place(tet[places.order[i]], tet[places.order[j]]);
     tet_places_.push_back(places);
   }
+}
+
+void BlockMatrix::keep(Archive& archive) {
+  archive(row_start_, column_, blocks_, skew_, extensions_);
+  if (archive.reading()) place_tets();
 }
 
 bool BlockMatrix::holds(int i, int j) const {

@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include <solver/archive.hpp>
+
 namespace palpate::implicit {
 
 using Block = Eigen::Matrix4d;
@@ -33,6 +35,8 @@ class BlockMatrix {
   void coordinates(std::vector<int>& rows, std::vector<int>& columns) const;
   /// Their values; rows and columns of `fixed` unknowns become those of the identity.
   void values(const std::vector<char>& fixed, std::vector<double>& out, int threads = 1) const;
+  /// Pattern and values, of a matrix of the same mesh.
+  void keep(Archive& archive);
   /// y = K x
   Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 
@@ -42,6 +46,7 @@ class BlockMatrix {
     std::array<int, 10> block;  ///< of corners (order[i], order[j]), j ≤ i, row by row
   };
   void lay_out(const std::vector<std::vector<int>>& lower);
+  void place_tets();
   bool holds(int i, int j) const;
   int place(int i, int j) const;
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <solver/implicit/keep.hpp>
+
 namespace palpate::implicit {
 namespace {
 
@@ -330,6 +332,12 @@ std::optional<Found> Equilibrium::solve(State& state, double time) {
   last_found_ = trial.equations;
   if (has_friction(model_)) remember_slips(model_, trial.equations.contact.points, state);
   return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
+}
+
+void Equilibrium::keep(Archive& archive) {
+  archive(analysed_extensions_, at_equilibrium_, last_found_, rates_, tangent_);
+  if (at_equilibrium_) archive(solver_);
+  else if (archive.reading()) analysed_extensions_ = -1;
 }
 
 Eigen::MatrixXd Equilibrium::response(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes) {

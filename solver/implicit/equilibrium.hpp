@@ -41,6 +41,8 @@ class Equilibrium {
   /// How the unknowns of the state that was found last answer changes of the residual and of the prescribed displacements, one per
   /// column: K x = −r, x = prescribed where there are such. The factor at hand is refined to K at the solution, or renewed.
   Eigen::MatrixXd response(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes);
+  /// All that the next step needs to know of this one besides the state.
+  void keep(Archive& archive);
   /// K at the state that was found last.
   const BlockMatrix& tangent() const { return tangent_; }
   const Trouble& trouble() const { return trouble_; }

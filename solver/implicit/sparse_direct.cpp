@@ -84,6 +84,16 @@ bool SparseDirect::factor(const std::vector<double>& values) {
   m.fail();
 }
 
+void SparseDirect::keep(Archive& archive) {
+  std::vector<int> rows = mumps_->rows, columns = mumps_->columns;
+  std::vector<double> values = mumps_->values;
+  archive(rows, columns, values);
+  if (!archive.reading()) return;
+  if (rows != mumps_->rows || columns != mumps_->columns)
+    *this = SparseDirect(mumps_->id.n, std::move(rows), std::move(columns), mumps_->id.sym != 0, openblas_get_num_threads());
+  factor(values);
+}
+
 int SparseDirect::negative_pivots() const { return mumps_->infog(12); }
 
 void SparseDirect::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include <solver/archive.hpp>
+
 namespace palpate::implicit {
 
 class SparseDirect {
@@ -17,6 +19,8 @@ class SparseDirect {
 
   /// Numeric factorisation. False when the matrix is singular to working precision. Throws std::bad_alloc without memory.
   bool factor(const std::vector<double>& values);
+  /// The pattern and the values factored last; read back, they are analysed and factored again: the same solutions to the bit.
+  void keep(Archive& archive);
   /// Negative eigenvalues of the last factored matrix, if symmetric (Sylvester).
   int negative_pivots() const;
   /// Solves in place, column by column.

@@ -7,13 +7,15 @@
 
 namespace palpate::implicit {
 
-double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report,
+double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, Stride& stride, const std::function<void(const Step&)>& report,
                  const Observer& observe) {
-  state.time = plan.times.front();
-  report({0, state, {}, 0, 0});
-  double part = 1;  // of the time between two reports
-  int easy = 0;     // sub-steps in a row that Newton found quickly: two of them earn a longer one
-  for (int index = 1; index < static_cast<int>(plan.times.size()); ++index) {
+  if (stride.done < 0) {
+    state.time = plan.times.front();
+    stride.done = 0;
+    report({0, state, {}, 0, 0});
+  }
+  auto& [done, part, easy] = stride;
+  for (int index = done + 1; index < static_cast<int>(plan.times.size()); ++index) {
     const double target = plan.times[index], whole = target - plan.times[index - 1];
     int iterations = 0, cuts = 0;
     Found last;
@@ -33,9 +35,16 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, c
         if (part < std::pow(2.0, -plan.most_cuts)) return state.time;
       }
     }
+    done = index;
     report({index, state, last.equations, iterations, cuts});
   }
   return state.time;
+}
+
+double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report,
+                 const Observer& observe) {
+  Stride stride;
+  return run_steps(equilibrium, state, plan, stride, report, observe);
 }
 
 }  // namespace palpate::implicit

@@ -25,8 +25,18 @@ struct Step {
 /// Sees every sub-step that is accepted.
 using Observer = std::function<void(const State&)>;
 
-/// Calls `report` at every time of the plan, `observe` (may be empty) after every sub-step. Returns the time reached: the last one, or less when a step could not be made
-/// (equilibrium.trouble() says why).
+/// How far a plan has come, and how long its sub-steps are.
+struct Stride {
+  int done = -1;    ///< index of the last time that was reported
+  double part = 1;  ///< of the time between two reports
+  int easy = 0;     ///< sub-steps in a row that Newton found quickly: two of them earn a longer one
+};
+
+/// Calls `report` at every time of the plan after those of `stride`, `observe` (may be empty) after every sub-step. Returns the time reached:
+/// the last one, or less when a step could not be made (equilibrium.trouble() says why).
+double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, Stride& stride, const std::function<void(const Step&)>& report,
+                 const Observer& observe = {});
+/// From the beginning.
 double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, const std::function<void(const Step&)>& report, const Observer& observe = {});
 
 }  // namespace palpate::implicit

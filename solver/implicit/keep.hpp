@@ -1,0 +1,27 @@
+// What a run of the implicit scheme remembers between two steps, to an archive and back.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <solver/archive.hpp>
+#include <solver/implicit/steps.hpp>
+
+namespace palpate::contact {
+
+inline void keep(Archive& a, Slip& x) { a(x.place, x.shear); }
+inline void keep(Archive& a, Point& x) { a(x.pressure, x.stiffness, x.normal, x.shear); }
+inline void keep(Archive& a, PairPoint& x) { a(x.gap, x.pressure, x.stiffness, x.mismatch, x.normal, x.gap_by_corners, x.residual, x.tangent); }
+
+}  // namespace palpate::contact
+
+namespace palpate::implicit {
+
+inline void keep(Archive& a, State& x) {
+  a(x.nodal, x.bubbles, x.contact_pressures, x.slips, x.pair_pressures, x.travels, x.memory, x.memory_time, x.time);
+}
+inline void keep(Archive& a, ToolSums& x) { a(x.force, x.area, x.moment, x.by_travel, x.by_angle, x.along_by_nodes, x.excess); }
+inline void keep(Archive& a, OrganSums& x) { a(x.force, x.area); }
+inline void keep(Archive& a, PairPlace& x) { a(x.at, x.nodes, x.point); }
+inline void keep(Archive& a, ContactSums& x) { a(x.tools, x.penetration, x.mismatch, x.points, x.organs, x.pairs); }
+inline void keep(Archive& a, Stride& x) { a(x.done, x.part, x.easy); }
+inline void keep(Archive& a, Equations& x) { a(x.residual, x.internal_force, x.contact, x.pressure_forces, x.fault, x.faulty_tet); }
+
+}  // namespace palpate::implicit

@@ -1,0 +1,149 @@
+#!/usr/bin/env bash
+# palpate-solve killed at any moment goes on where it was, to the same bytes; what a killed run left damaged, or of another case, is not used.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+bin=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() { echo "$1" >&2; exit 1; }
+
+# Two blocks, one on the other with a gap of 0.05 mm: 12 × 12 × 6 mm in cells of 2 mm, 8 × 8 × 4 mm in cells of 1.6 mm and 2 mm.
+python3 - <<'PY'
+points, tets, regions, faces, face_regions = [], [], [], [], []
+def block(low, size, cells, region):
+    first = len(points)
+    n = [c + 1 for c in cells]
+    at = lambda i, j, k: first + i + n[0] * (j + n[1] * k)
+    for k in range(n[2]):
+        for j in range(n[1]):
+            for i in range(n[0]):
+                points.append([low[d] + size[d] * (i, j, k)[d] / cells[d] for d in range(3)])
+    sides = {}
+    for k in range(cells[2]):
+        for j in range(cells[1]):
+            for i in range(cells[0]):
+                c = [at(i + a, j + b, k + d) for d in (0, 1) for b in (0, 1) for a in (0, 1)]
+                for p in ((1, 3), (3, 2), (2, 6), (6, 4), (4, 5), (5, 1)):
+                    t = (c[0], c[p[0]], c[p[1]], c[7])
+                    tets.append(t)
+                    regions.append(region)
+                    for f in ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)):
+                        face = tuple(t[x] for x in f)
+                        sides.setdefault(tuple(sorted(face)), []).append(face)
+    for face in sides.values():
+        if len(face) == 1:
+            faces.append(face[0])
+            face_regions.append(100 + region)
+block((-6, -6, 0), (12, 12, 6), (6, 6, 3), 1)
+block((-4, -4, 6.05), (8, 8, 4), (5, 5, 2), 2)
+cells = tets + faces
+row = lambda lists: " ".join(str(x) for one in lists for x in one)
+offsets, total = [], 0
+for c in cells:
+    total += len(c)
+    offsets.append(total)
+open("mesh.vtu", "w").write(f'''<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>
+<FieldData>
+<Array type="String" Name="SPACE" NumberOfTuples="1" format="ascii">76 80 83 0</Array>
+<Array type="String" Name="UNITS" NumberOfTuples="1" format="ascii">109 109 0</Array>
+<Array type="String" Name="REGION_NAMES" NumberOfTuples="4" format="ascii">{" ".join(str(b) for name in ("1=lower", "2=upper", "101=lower_surface", "102=upper_surface") for b in list(name.encode()) + [0])}</Array>
+</FieldData>
+<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{row(points)}</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">{row(cells)}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">{row([offsets])}</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">{row([[10] * len(tets) + [5] * len(faces)])}</DataArray></Cells>
+<CellData><DataArray type="Int32" Name="region" format="ascii">{row([regions + face_regions])}</DataArray></CellData>
+</Piece></UnstructuredGrid></VTKFile>''')
+PY
+
+# The upper block is dragged by a ball with friction: it presses the lower one, which yields with time and softens.
+cat >case.toml <<'TOML'
+schema = "palpate-case/1"
+[[material]]
+region = "lower"
+law = "neo_hookean"
+mu = 0.005
+[[material]]
+region = "upper"
+law = "neo_hookean"
+mu = 0.01
+[[effect]]
+name = "prony"
+g = [0.3]
+tau_s = [0.5]
+[[effect]]
+name = "mullins"
+inverse_r = 0.5
+m = 0.0005
+[[contact]]
+between = ["lower", "upper"]
+[base]
+plane = { point_mm = [0.0, 0.0, 0.001], normal = [0.0, 0.0, 1.0] }
+[[spring]]
+label = "upper_surface"
+stiffness_N_mm3 = 0.0001
+[gravity]
+direction = [0.0, 0.0, -1.0]
+steps = 2
+[[tool]]
+kind = "ball"
+radius_mm = 3.0
+aim_mm = [0.5, 0.0, 10.0]
+axis = [0.1, 0.0, -1.0]
+friction = 0.4
+path = [[0, 0], [0.6, 1.6], [1.0, 1.2]]
+[steps]
+count = 10
+frames = 4
+TOML
+solve() { exec "$bin/palpate-solve" "$1" "$2" --mesh mesh.vtu --threads 1 --sensitivities "material[0].mu, effect[0].g[0]" </dev/null; }
+bytes_of() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum); }
+
+start=$(date +%s%N)
+(solve case.toml whole) >/dev/null
+nanoseconds=$(($(date +%s%N) - start))
+bytes_of whole >whole.sums
+[ ! -e whole/restart.bin ] || fail "the delivered folder holds restart.bin"
+
+# killed_at <per cent> <case>: out/ unfinished.
+killed_at() {
+  solve "$2" out >/dev/null 2>&1 &
+  local pid=$!
+  sleep "$(awk -v n=$nanoseconds -v p="$1" 'BEGIN { printf "%.3f", n * p / 1e11 }')"
+  kill -9 $pid 2>/dev/null || true
+  wait $pid 2>/dev/null || true
+}
+left() { find . -maxdepth 1 -name '.partial-*-out'; }
+
+resumed=0
+for share in 12 35 "30 25" 55 70 85; do
+  for percent in $share; do killed_at "$percent" case.toml; done
+  (solve case.toml out) >/dev/null 2>message
+  if grep -q "continues a run that was killed" message; then resumed=$((resumed + 1)); fi
+  bytes_of out | cmp - whole.sums || fail "killed at $share %: other bytes"
+  [ -z "$(left)" ] || fail "something temporary is left"
+  rm -r out out.card.json
+done
+echo "$resumed of 6 runs went on where they were"
+[ "$resumed" -ge 4 ] || fail "too few runs went on where they were"
+
+# Damaged: one byte of the file, one of a frame; cut short. Another case: nothing of it is used.
+for damage in byte frame cut case; do
+  killed_at 60 case.toml
+  file=$(left)/restart.bin
+  [ -f "$file" ] || fail "no restart file after 60 %"
+  case $damage in
+    byte) printf 'x' | dd of="$file" bs=1 seek=$(($(stat -c %s "$file") / 2)) conv=notrunc 2>/dev/null ;;
+    frame) printf 'x' | dd of="$(left)/frames/frame_0000.vtu" bs=1 seek=2000 conv=notrunc 2>/dev/null ;;
+    cut) truncate -s -1 "$file" ;;
+    case) sed -i 's/^friction = .*/friction = 0.40/' case.toml ;;
+  esac
+  (solve case.toml out) >/dev/null 2>message
+  grep -q "starts from the beginning" message || fail "$damage: does not say that it starts from the beginning: $(cat message)"
+  bytes_of out | cmp - whole.sums || fail "$damage: other bytes"
+  rm -r out out.card.json
+done
