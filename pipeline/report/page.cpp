@@ -3,28 +3,16 @@
 #include <pipeline/report/page.hpp>
 
 #include <set>
-#include <string_view>
 
 #include <palpate/card.hpp>
 #include <palpate/errors.hpp>
 #include <pipeline/report/facts.hpp>
 #include <pipeline/report/html.hpp>
+#include <pipeline/report/shell.hpp>
 
 namespace palpate {
 
-namespace embedded {  // texts of files, generated at build time
-extern const std::string_view chart_js, page_css, page_js;
-}  // namespace embedded
-
 namespace {
-
-std::string section(const std::string& id, const std::string& title, const std::string& body) {
-  return body.empty() ? ""
-                      : "<section id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n<h2 id=\"" + id + "-title\">" + title +
-                            "</h2>\n" + body + "</section>\n";
-}
-
-std::string wide(const std::string& table) { return "<div class=\"wide\">" + table + "</div>\n"; }
 
 /// The free facts of a stage, without what is shown elsewhere.
 std::string notes_html(const Study& study, const std::string& tool, const std::string& title,
@@ -276,43 +264,15 @@ std::string versions(const Study& study) {
   return text.empty() ? "unknown" : text;
 }
 
-/// Lets nothing in from outside: the page shows the same with and without a network.
-const char* const policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-
-/// Collects what goes wrong before page.js runs.
-const char* const error_catcher =
-    "window.pageErrors = [];\n"
-    "addEventListener(\"error\", e => window.pageErrors.push(String(e.message || (e.target && e.target.tagName + \" does not "
-    "load\"))), true);\n"
-    "addEventListener(\"unhandledrejection\", e => window.pageErrors.push(String(e.reason)));\n"
-    "addEventListener(\"securitypolicyviolation\", e => window.pageErrors.push(\"blocked: \" + e.blockedURI));\n";
-
 }  // namespace
 
-std::string page_html(const Study& study, const Drawings& drawings) {
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "
-      "content=\"";
-  html += policy;
-  html += "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(study.title) +
-          "</title>\n<style>\n";
-  html += embedded::page_css;
-  html += "</style>\n<script>\n";
-  html += error_catcher;
-  html += "</script>\n</head>\n<body>\n" + head_html(study) + "<main>\n";
-  html += section("force", "Force and depth", force_html(study));
-  html += section("pressed", "The pressed organ", pressed_html(drawings));
-  html += section("scan", "Scan and labels", sheet_html(study));
-  html += section("surface", "Surface", surface_html(study, drawings));
-  html += section("mesh", "Mesh", mesh_html(study, drawings));
-  html += section("checks", "Checks", checks_html(study) + warnings_html(study));
-  html += section("cards", "Cards", cards_html(study));
-  html += "</main>\n<footer><p>Units: mm, tonne, second, so N and MPa; space: patient LPS. Palpate " + escaped(versions(study)) +
-          ". Plots: Chart.js (MIT). Pictures: VTK. This file needs no other and no network.</p></footer>\n<script>\n";
-  html += embedded::chart_js;
-  html += "\n</script>\n<script>\n";
-  html += embedded::page_js;
-  return html + "</script>\n</body>\n</html>\n";
+std::string page_html(const Study& study, const Drawings& drawings, const std::string& missing_effect) {
+  const std::string body =
+      section("force", "Force and depth", force_html(study)) + section("loop", "What the model lacks", missing_effect) +
+      section("pressed", "The pressed organ", pressed_html(drawings)) + section("scan", "Scan and labels", sheet_html(study)) +
+      section("surface", "Surface", surface_html(study, drawings)) + section("mesh", "Mesh", mesh_html(study, drawings)) +
+      section("checks", "Checks", checks_html(study) + warnings_html(study)) + section("cards", "Cards", cards_html(study));
+  return whole_page(study.title, head_html(study), body, versions(study));
 }
 
 }  // namespace palpate

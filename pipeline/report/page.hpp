@@ -8,7 +8,7 @@
 
 namespace palpate {
 
-/// The whole file.
-std::string page_html(const Study& study, const Drawings& drawings);
+/// The whole file. `missing_effect`: HTML of what the loop found in this study; may be empty.
+std::string page_html(const Study& study, const Drawings& drawings, const std::string& missing_effect);
 
 }  // namespace palpate

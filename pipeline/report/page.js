@@ -7,14 +7,26 @@
   const marks = ["circle", "rectRot", "triangle", "rect", "crossRot", "star"];
   const round = x => Number(x.toPrecision(4)).toString();
 
+  // Of a series that says its style: marks alone, a line alone, or the edge of a band that is filled down to the last such edge.
+  const styles = {
+    marks: () => ({showLine: false, pointRadius: 2, order: 2}),
+    line: () => ({pointRadius: 0, order: 1}),
+    band: series => ({pointRadius: 0, borderWidth: 0, fill: Boolean(series.name), order: 3}),
+  };
+
   const lines = plot => ({
     type: "scatter",
     data: {
-      datasets: plot.series.map((series, i) => ({
-        label: series.name, data: series.points.map(p => ({x: p[0], y: p[1], more: p[2]})), showLine: true,
-        borderColor: colour(`--series-${i % 6 + 1}`), backgroundColor: colour(`--series-${i % 6 + 1}`), borderDash: dashes[i % 6],
-        pointStyle: marks[i % 6], pointRadius: series.points.length > 60 ? 0 : 2.5, pointHoverRadius: 6, borderWidth: 2,
-      })),
+      datasets: plot.series.map((series, i) => {
+        const dataset = {
+          label: series.name, data: series.points.map(p => ({x: p[0], y: p[1], more: p[2]})), showLine: true,
+          borderColor: colour(`--series-${i % 6 + 1}`), backgroundColor: colour(`--series-${i % 6 + 1}`), borderDash: dashes[i % 6],
+          pointStyle: marks[i % 6], pointRadius: series.points.length > 60 ? 0 : 2.5, pointHoverRadius: 6, borderWidth: 2,
+          ...(series.style ? {borderDash: [], pointStyle: "circle", ...styles[series.style](series)} : {}),
+        };
+        if (dataset.fill) dataset.fill = plot.series.length - 1;
+        return dataset;
+      }),
     },
     tooltip: {
       title: items => items[0].dataset.label,
@@ -35,8 +47,8 @@
   const draw = canvas => {
     const plot = JSON.parse(document.getElementById(canvas.dataset.plot).textContent);
     const parts = (plot.kind === "lines" ? lines : bars)(plot);
-    const axis = title => ({
-      title: {display: true, text: title, color: colour("--soft")}, beginAtZero: true,
+    const axis = (title, range) => ({
+      title: {display: true, text: title, color: colour("--soft")}, beginAtZero: true, min: range?.[0], max: range?.[1],
       grid: {color: colour("--line")}, ticks: {color: colour("--soft"), maxRotation: 0, autoSkip: true},
     });
     const font = getComputedStyle(document.body).fontFamily;
@@ -45,9 +57,9 @@
       options: {
         animation: false, responsive: true, maintainAspectRatio: false, font: {family: font, size: 13},
         interaction: {mode: "nearest", axis: plot.kind === "lines" ? "xy" : "x", intersect: false},
-        scales: {x: axis(plot.x), y: axis(plot.y)},
+        scales: {x: axis(plot.x, plot.x_range), y: axis(plot.y, plot.y_range)},
         plugins: {
-          legend: {display: plot.kind === "lines", labels: {color: colour("--ink"), usePointStyle: true, boxHeight: 8}},
+          legend: {display: plot.kind === "lines", labels: {color: colour("--ink"), usePointStyle: true, boxHeight: 8, filter: item => item.text !== ""}},
           tooltip: {callbacks: parts.tooltip, displayColors: false},
         },
       },

@@ -4,6 +4,8 @@
 #include <palpate/text_file.hpp>
 #include <pipeline/report/drawings.hpp>
 #include <pipeline/report/facts.hpp>
+#include <pipeline/report/findings.hpp>
+#include <pipeline/report/loop_page.hpp>
 #include <pipeline/report/page.hpp>
 #include <pipeline/report/study.hpp>
 
@@ -17,21 +19,47 @@ void usage(Usage& u) {
       "solve/<name> "
       "with its history and its deepest frame; what is missing is left out. Pictures are drawn by VTK on a private X server "
       "(Xvfb) and "
-      "Mesa's software renderer, so no screen and no graphics card are needed, and the same files give the same page.";
-  u.input("study", "result", "the folder that palpate run made; a study may end before the solve", ArgumentKind::open_folder);
+      "Mesa's software renderer, so no screen and no graphics card are needed, and the same files give the same page. A folder of "
+      "palpate-loop run gets the page of its verdict; in a study's folder it is looked for as loop/.";
+  u.input("study", "result", "the folder that palpate run made, which may end before the solve; or the folder that palpate-loop run made", ArgumentKind::open_folder);
   u.output("page", "report.html", "one HTML file that needs no other and no network");
 }
 
+namespace {
+
+void add_inputs(Command& c, const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) c.add_input(file.lexically_proximate(c.input("study")).generic_string(), file);
+}
+
+void deliver(Command& c, const std::string& html, const std::string& result) {
+  write_text(c.output("page"), html);
+  c.note("result", result);
+  c.note("bytes", html.size());
+}
+
+std::string sentence(const Findings& findings) { return findings.report.at("verdict").at("sentence").get<std::string>(); }
+
+}  // namespace
+
 void run(Command& c) {
+  if (is_loop_folder(c.input("study"))) {
+    const Findings findings = read_findings(c.input("study"));
+    add_inputs(c, findings.files_read);
+    const std::string html = loop_page_html(findings);
+    return deliver(c, html, sentence(findings));
+  }
   const Study study = read_study(c.input("study"));
-  for (const auto& file : study.files_read) c.add_input(file.lexically_proximate(c.input("study")).generic_string(), file);
+  add_inputs(c, study.files_read);
+  std::string missing_effect;
+  if (const auto loop = c.input("study") / "loop"; is_loop_folder(loop)) {
+    const Findings findings = read_findings(loop);
+    add_inputs(c, findings.files_read);
+    missing_effect = verdict_html(findings);
+  }
   const Drawings drawings = draw_study(study, [&](const std::string& what) {
     if (c.verbose()) c.say("drawing " + what);
   });
-  const std::string html = page_html(study, drawings);
-  write_text(c.output("page"), html);
-  c.note("result", result_sentence(study));
+  deliver(c, page_html(study, drawings, missing_effect), result_sentence(study));
   c.note("pictures", drawings.surface.size() + drawings.mesh.size() + (study.sheet_png.empty() ? 0 : 1));
   c.note("solves", study.solves.size());
-  c.note("bytes", html.size());
 }
