@@ -130,6 +130,16 @@ void read_steps(const Settings& settings, Case& c) {
   c.keep_partial = steps.flag("keep_partial", false);
 }
 
+void read_remesh(const Settings& settings, Case& c) {
+  if (!settings.has("remesh")) return;
+  const Settings table = settings.table("remesh");
+  c.remesh.emplace();
+  c.remesh->part_of_radius = table.real("part_of_radius", c.remesh->part_of_radius, {0.01, 10});
+  c.remesh->finest_mm = table.real("finest_mm", default_finest(c.model), {1e-3, 1e3});
+  c.remesh->most = static_cast<int>(table.integer("most", c.remesh->most, {1, 1000}));
+  c.remesh->most_nodes = static_cast<int>(table.integer("most_nodes", c.remesh->most_nodes, {4, 1000000}));
+}
+
 void copy_geometry(const TetMesh& mesh, implicit::Model& model, const std::filesystem::path& path) {
   for (const auto& p : mesh.points) model.points.push_back(eigen(p));
   model.tets = mesh.tets;
@@ -172,6 +182,7 @@ Case read_case(const Settings& settings, const std::filesystem::path& mesh_overr
   read_steps(settings, c);
   c.mesh = read_mesh(c.mesh_path);
   copy_geometry(c.mesh, c.model, c.mesh_path);
+  read_remesh(settings, c);
   read_materials(settings, c);
   read_effects(settings, c);
   read_loads(settings, c);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <palpate/settings.hpp>
 #include <solver/implicit/model.hpp>
 #include <solver/implicit/steps.hpp>
+#include <solver/remesh_marks.hpp>
 
 namespace palpate {
 
@@ -28,6 +30,7 @@ struct Case {
   implicit::StepPlan steps;
   int count = 20;               ///< of steps
   int frames = 5;            ///< besides the one at rest
+  std::optional<RemeshRules> remesh;
   bool keep_partial = false; ///< deliver what was reached when the full depth is not
   int base_nodes = 0;
   std::vector<std::string> material_regions;  ///< of each material: a region's name, or empty: all of the mesh

@@ -99,9 +99,9 @@ Driven driven(const Case& c, const implicit::Step& step) {
 }
 
 ResultFolder::ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly)
-    : folder_(std::move(folder)), case_(the_case), assembly_(assembly) {
+    : folder_(std::move(folder)), case_(&the_case), assembly_(&assembly) {
   history_ = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations";
-  for (std::size_t i = 2; i <= case_.model.tools.size(); ++i)
+  for (std::size_t i = 2; i <= case_->model.tools.size(); ++i)
     for (const char* column : {"Fx", "Fy", "Fz"}) history_ += "," + std::string(column) + std::to_string(i) + "[N]";
   history_ += "\n";
 }
@@ -110,19 +110,32 @@ void ResultFolder::make_folders() const { std::filesystem::create_directory(fold
 
 void ResultFolder::keep(Archive& archive) {
   archive(history_, frames_, files_, frame_count_, iterations_, cuts_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
-          worst_penetration_, smallest_J_);
+          worst_penetration_, smallest_J_, remeshings_);
+}
+
+void ResultFolder::follow(const Case& the_case, const implicit::Assembly& assembly) {
+  case_ = &the_case;
+  assembly_ = &assembly;
+}
+
+void ResultFolder::remeshed(Json facts, const implicit::Step& step) {
+  remeshings_.push_back(facts.dump());
+  iterations_ += step.iterations;
+  worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step));
+  worst_penetration_ = std::max(worst_penetration_, step.equations.contact.penetration);
+  organs_ = step.equations.contact.organs;
 }
 
 void ResultFolder::settled(const implicit::Step& step) {
   iterations_ += step.iterations;
   cuts_ += step.cuts;
-  if (step.equations.residual.size() > 0) worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_.model, assembly_, step));
+  if (step.equations.residual.size() > 0) worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step));
 }
 
 void ResultFolder::add(const implicit::Step& step, bool last) {
   settled(step);
   const auto& contact = step.equations.contact;
-  const Driven d = driven(case_, step);
+  const Driven d = driven(*case_, step);
   force_ = d.force;
   contact_area_ = d.area;
   depth_ = d.depth;
@@ -132,28 +145,28 @@ void ResultFolder::add(const implicit::Step& step, bool last) {
   worst_penetration_ = std::max(worst_penetration_, contact.penetration);
   for (double value : {step.state.time, d.depth, d.vector.x(), d.vector.y(), d.vector.z(), d.force, d.area}) history_ += number(value) + ",";
   history_ += std::to_string(step.iterations);
-  for (std::size_t i = 1; i < case_.model.tools.size(); ++i)
+  for (std::size_t i = 1; i < case_->model.tools.size(); ++i)
     for (int k = 0; k < 3; ++k) history_ += "," + number(i < contact.tools.size() ? contact.tools[i].force(k) : 0);
   history_ += "\n";
-  const int every = std::max(1, case_.count / case_.frames);
+  const int every = std::max(1, case_->count / case_->frames);
   if (step.index % every == 0 || last) write_frame(step);
 }
 
 void ResultFolder::write_frame(const implicit::Step& step) {
   Field displacement{"displacement", 3, {}}, pressure{"pressure", 1, {}}, von_mises{"von_mises", 1, {}}, J{"J", 1, {}};
-  for (int node = 0; node < static_cast<int>(case_.model.points.size()); ++node) {
+  for (int node = 0; node < static_cast<int>(case_->model.points.size()); ++node) {
     const Vector3d u = step.state.displacement(node);
     displacement.values.insert(displacement.values.end(), {u.x(), u.y(), u.z()});
     pressure.values.push_back(-step.state.pressure(node));  // compression is positive for people
   }
-  for (const auto& result : assembly_.results(step.state)) {
+  for (const auto& result : assembly_->results(step.state)) {
     von_mises.values.push_back(result.von_mises);
     J.values.push_back(result.J);
     if (!(result.J >= smallest_J_)) smallest_J_ = result.J;
   }
   std::ostringstream name;
   name << "frames/frame_" << std::setw(4) << std::setfill('0') << frame_count_++ << ".vtu";
-  write_mesh(folder_ / name.str(), case_.mesh, {displacement, pressure}, {von_mises, J});
+  write_mesh(folder_ / name.str(), case_->mesh, {displacement, pressure}, {von_mises, J});
   files_.push_back(name.str());
   frames_ += "    <DataSet timestep=\"" + number(step.state.time) + "\" part=\"0\" file=\"" + name.str() + "\"/>\n";
 }
@@ -162,7 +175,7 @@ Json ResultFolder::finish(double time_reached) {
   write_text(folder_ / "history.csv", history_);
   write_text(folder_ / "frames.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
                                          frames_ + "  </Collection>\n</VTKFile>\n");
-  const auto& model = case_.model;
+  const auto& model = case_->model;
   const auto& material = model.materials.front();
   Json summary = {{"schema", "palpate-summary/1"},
                   {"law", material.law.entry.name},
@@ -170,13 +183,13 @@ Json ResultFolder::finish(double time_reached) {
                   {"initial_shear_modulus_MPa", material.shear_modulus()},
                   {"bulk_modulus_MPa", finite_or_null(material.bulk_modulus)},
                   {"volume_stiffening_MPa", material.volume_stiffening},
-                  {"time_s", {{"asked", case_.steps.times.back()}, {"reached", time_reached}}},
+                  {"time_s", {{"asked", case_->steps.times.back()}, {"reached", time_reached}}},
                   {"peak_force_N", peak_force_},
                   {"final_force_N", force_},
                   {"final_contact_area_mm2", contact_area_},
                   {"nodes", model.points.size()},
                   {"tets", model.tets.size()},
-                  {"base_nodes", case_.base_nodes},
+                  {"base_nodes", case_->base_nodes},
                   {"steps", steps_},
                   {"cuts", cuts_},
                   {"iterations", iterations_},
@@ -185,16 +198,17 @@ Json ResultFolder::finish(double time_reached) {
                   {"worst_force_imbalance", worst_imbalance_}};
   for (const auto& more : model.materials)
     if (model.materials.size() > 1) summary["materials"].push_back({{"law", more.law.entry.name}, {"parameters", numbers(more.law.entry, more.parameters)}});
-  for (std::size_t i = 0; i < case_.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < case_->contacts.size(); ++i) {
     const auto sums = i < organs_.size() ? organs_[i] : implicit::OrganSums{};
-    Json facts = {{case_.contacts[i].size() == 2 ? "between" : "self", case_.contacts[i]}, {"contact_area_mm2", sums.area}};
-    if (case_.contacts[i].size() == 2) facts["force_on_first_N"] = json(sums.force);
+    Json facts = {{case_->contacts[i].size() == 2 ? "between" : "self", case_->contacts[i]}, {"contact_area_mm2", sums.area}};
+    if (case_->contacts[i].size() == 2) facts["force_on_first_N"] = json(sums.force);
     summary["contacts"].push_back(facts);
   }
   for (const auto& m : model.materials)
     for (const auto& e : m.effects) summary["effects"].push_back(effect_facts(e));
+  for (const auto& facts : remeshings_) summary["remeshings"].push_back(Json::parse(facts));
   Json shapes = Json::array();
-  for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_.aims_mm[i]));
+  for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_->aims_mm[i]));
   if (!shapes.empty()) {
     summary["tool"] = shapes[0];
     summary["depth_mm"] = {{"asked", model.tools[0].force_controlled ? Json(nullptr) : Json(model.tools[0].depth)}, {"reached", depth_}};

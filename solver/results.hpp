@@ -29,6 +29,10 @@ class ResultFolder {
   ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly);
 
   void make_folders() const;
+  /// From now on steps are of this case and assembly.
+  void follow(const Case& the_case, const implicit::Assembly& assembly);
+  /// The last step's state is another now, of another mesh: `facts` of how that came.
+  void remeshed(Json facts, const implicit::Step& step);
   /// Counts a step that has no row: gravity's.
   void settled(const implicit::Step& step);
   /// A row of the history; a frame too when it is time for one, or when `last`.
@@ -44,20 +48,22 @@ class ResultFolder {
   double worst_force_imbalance() const { return worst_imbalance_; }
   double worst_penetration() const { return worst_penetration_; }
   double depth() const { return depth_; }
+  double force() const { return force_; }
   double smallest_J() const { return smallest_J_; }
 
  private:
   void write_frame(const implicit::Step& step);
 
   std::filesystem::path folder_;
-  const Case& case_;
-  const implicit::Assembly& assembly_;
+  const Case* case_;
+  const implicit::Assembly* assembly_;
   std::string history_, frames_;
   std::vector<std::string> files_;
   int frame_count_ = 0, iterations_ = 0, cuts_ = 0, steps_ = 0;
   double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   std::vector<implicit::OrganSums> organs_;  ///< at the last step
   double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1;
+  std::vector<std::string> remeshings_;  ///< facts of each, JSON
 };
 
 }  // namespace palpate

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/run.hpp>
 
+#include <cmath>
+#include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include <palpate/text_file.hpp>
 #include <solver/implicit/keep.hpp>
+#include <solver/remesh.hpp>
 
 namespace palpate {
 
@@ -29,12 +33,14 @@ Run::Run(Command& c)
       settings_(Settings::read(c.input("case"))),
       mesh_(c.has("mesh") ? c.file("mesh") : ""),
       folder_(c.output("result")),
-      case_(case_of(c, settings_, mesh_)),
-      equilibrium_(case_.model, c.threads()),
-      state_(implicit::rest_state(case_.model)),
-      results_(folder_, case_, equilibrium_.assembly()) {
+      case_(std::make_unique<Case>(case_of(c, settings_, mesh_))),
+      equilibrium_(std::make_unique<implicit::Equilibrium>(case_->model, c.threads())),
+      state_(implicit::rest_state(case_->model)),
+      results_(folder_, *case_, equilibrium_->assembly()) {
   if (c.has("sensitivities")) {
-    sensitivities_.emplace(settings_, mesh_, number_paths(c.text("sensitivities")), equilibrium_, c.threads());
+    if (case_->remesh)
+      throw Failure(ExitCode::misuse, "no sensitivities of a run that remeshes", settings_.where("remesh"), "without [remesh], on a mesh that is fine enough");
+    sensitivities_.emplace(settings_, mesh_, number_paths(c.text("sensitivities")), *equilibrium_, c.threads());
     observe_ = [this](const implicit::State& found) { sensitivities_->follow(found); };
   }
   restart_.emplace(c, folder_);
@@ -46,12 +52,25 @@ Run::Run(Command& c)
     c.say(line.str());
   }
   results_.make_folders();
+  if (case_->remesh) std::filesystem::create_directory(folder_ / "remesh");
 }
 
 void Run::keep(Archive& archive) {
-  archive(state_, equilibrium_, results_, settling_, pressing_, settled_);
-  for (auto& tool : case_.model.tools) archive(tool.first_contact);
+  archive(meshes_, failed_remeshings_);
+  if (archive.reading() && !meshes_.empty()) {
+    *case_ = case_on(settings_, folder_ / meshes_.back(), *case_);
+    equilibrium_ = std::make_unique<implicit::Equilibrium>(case_->model, command_.threads());
+    results_.follow(*case_, equilibrium_->assembly());
+  }
+  archive(state_, *equilibrium_, results_, settling_, pressing_, settled_);
+  for (auto& tool : case_->model.tools) archive(tool.first_contact);
   if (sensitivities_) archive(*sensitivities_);
+}
+
+std::vector<std::string> Run::files() const {
+  std::vector<std::string> files = results_.files();
+  files.insert(files.end(), meshes_.begin(), meshes_.end());
+  return files;
 }
 
 void Run::save() {
@@ -59,27 +78,27 @@ void Run::save() {
     Archive archive;
     keep(archive);
     return archive.bytes();
-  }, results_.files());
+  }, files());
 }
 
 /// Gravity first, without tools; then they come to where they touch the organ that has sagged.
 void Run::settle() {
-  if (settled_ || case_.settling.times.empty()) return;
+  if (settled_ || case_->settling.times.empty()) return;
   if (settling_.done < 0) {
-    take_tools_away(case_);
+    take_tools_away(*case_);
     if (sensitivities_) sensitivities_->take_tools_away();
   }
-  const double reached = implicit::run_steps(equilibrium_, state_, case_.settling, settling_, [this](const Step& step) {
+  const double reached = implicit::run_steps(*equilibrium_, state_, case_->settling, settling_, [this](const Step& step) {
     results_.settled(step);
     save();
   }, observe_);
   if (reached < 0) {
     std::ostringstream where;
-    where << "near (" << equilibrium_.trouble().place_mm.transpose() << ") mm of the organ at rest";
-    throw Failure(ExitCode::not_converged, "gravity cannot be carried: " + equilibrium_.trouble().cause, where.str(),
+    where << "near (" << equilibrium_->trouble().place_mm.transpose() << ") mm of the organ at rest";
+    throw Failure(ExitCode::not_converged, "gravity cannot be carried: " + equilibrium_->trouble().cause, where.str(),
                   "hold more of the organ, or give [gravity] more steps");
   }
-  bring_tools(case_, state_);
+  bring_tools(*case_, state_);
   if (sensitivities_) sensitivities_->bring_tools();
   settled_ = true;
 }
@@ -87,33 +106,98 @@ void Run::settle() {
 std::string Run::remark(const Step& step) const {
   std::ostringstream out;
   out.precision(3);
-  const Driven d = driven(case_, step);
+  const Driven d = driven(*case_, step);
   out << "depth " << d.depth << " mm, force " << d.force << " N";
   return out.str();
 }
 
 /// The last time was not reached: an error that helps, or a warning when the case asks for what there is.
 void Run::explain_stop() const {
-  const implicit::Trouble& trouble = equilibrium_.trouble();
+  const implicit::Trouble& trouble = equilibrium_->trouble();
   std::ostringstream what, where;
-  what << "stopped at " << time_ << " s of " << case_.steps.times.back() << " s, at depth " << results_.depth() << " mm: " << trouble.cause;
+  what << "stopped at " << time_ << " s of " << case_->steps.times.back() << " s, at depth " << results_.depth() << " mm: " << trouble.cause;
   where << "near (" << trouble.place_mm.transpose() << ") mm of the organ at rest";
-  if (!case_.keep_partial || !(time_ > 0))
+  if (!case_->keep_partial || !(time_ > 0))
     throw Failure(ExitCode::not_converged, what.str(), where.str(), "[steps] keep_partial = true delivers what was reached");
   command_.warn(what.str() + "; " + where.str());
 }
 
+bool Run::may_remesh() const {
+  constexpr int most_failures = 2;
+  return case_->remesh && static_cast<int>(meshes_.size()) < case_->remesh->most && failed_remeshings_ < most_failures &&
+         static_cast<int>(case_->model.points.size()) < case_->remesh->most_nodes;
+}
+
+/// Is the mesh fine enough for the tools as they are now?
+void Run::judge(const Step& step) {
+  if (!may_remesh() || step.index == 0 || step.index == case_->count) return;
+  marks_ = contact_marks(case_->model, step.state, step.equations.contact, *case_->remesh);
+  marked_force_ = driven(*case_, step).force;
+  pressing_.pause = !marks_.empty();
+}
+
+/// A step could not be made: finer where it stopped.
+bool Run::mend() {
+  if (!may_remesh() || !(state_.time > 0)) return false;
+  marks_ = trouble_marks(case_->model, state_, equilibrium_->trouble().place_mm, *case_->remesh);
+  marked_force_ = std::nan("");  // the step has no row yet
+  return !marks_.empty() && remesh("a step stopped: " + equilibrium_->trouble().cause);
+}
+
+/// The same load on a finer mesh; the run goes on there if equilibrium is found.
+bool Run::remesh(const std::string& why) {
+  std::ostringstream name;
+  name << "remesh/mesh_" << std::setw(2) << std::setfill('0') << meshes_.size() + 1 << ".vtu";
+  const auto origins = remeshed(*case_, state_, marks_, folder_, name.str());
+  auto fresh = std::make_unique<Case>(case_on(settings_, folder_ / name.str(), *case_));
+  auto equilibrium = std::make_unique<implicit::Equilibrium>(fresh->model, command_.threads());
+  implicit::State state = implicit::carried(case_->model, state_, fresh->model, origins);
+  const double before = implicit::volume(case_->model, state_), carried = implicit::volume(fresh->model, state);
+  const auto found = equilibrium->find(state, state.time);
+  if (!found) {
+    ++failed_remeshings_;
+    std::filesystem::remove(folder_ / name.str());
+    command_.warn("no equilibrium on a finer mesh at " + std::to_string(state_.time) + " s: " + equilibrium->trouble().cause + "; the run goes on without");
+    return false;
+  }
+  case_ = std::move(fresh);
+  equilibrium_ = std::move(equilibrium);
+  state_ = std::move(state);
+  results_.follow(*case_, equilibrium_->assembly());
+  meshes_.push_back(name.str());
+  const Step step{0, state_, found->equations, found->iterations, 0};
+  results_.remeshed({{"time_s", state_.time}, {"why", why}, {"nodes", case_->model.points.size()}, {"tets", case_->model.tets.size()},
+                     {"force_N", {{"before", finite_or_null(marked_force_)}, {"after", driven(*case_, step).force}}},
+                     {"volume_mm3", {{"before", before}, {"carried", carried}, {"after", implicit::volume(case_->model, state_)}}},
+                     {"iterations", found->iterations}}, step);
+  command_.say("remeshed at " + std::to_string(state_.time) + " s: " + std::to_string(case_->model.points.size()) + " nodes");
+  save();
+  return true;
+}
+
 void Run::go() {
-  Progress progress = command_.progress("solve", case_.count);
+  Progress progress = command_.progress("solve", case_->count);
   settle();
-  time_ = implicit::run_steps(equilibrium_, state_, case_.steps, pressing_, [&](const Step& step) {
-    results_.add(step, step.index == case_.count);
-    if (sensitivities_) sensitivities_->add(step);
-    progress.update(step.index, remark(step));
-    save();
-  }, observe_);
+  const double end = case_->steps.times.back();
+  for (;;) {
+    time_ = implicit::run_steps(*equilibrium_, state_, case_->steps, pressing_, [&](const Step& step) {
+      results_.add(step, step.index == case_->count);
+      if (sensitivities_) sensitivities_->add(step);
+      progress.update(step.index, remark(step));
+      judge(step);
+      if (!pressing_.pause) save();
+    }, observe_);
+    const bool too_coarse = std::exchange(pressing_.pause, false);
+    if (too_coarse) {
+      remesh("faces under a tool were too coarse");
+      continue;
+    }
+    if (!(time_ < end)) break;
+    pressing_ = {pressing_.done, 0.25, 0};
+    if (!mend()) break;
+  }
   progress.finish();
-  if (time_ < case_.steps.times.back()) explain_stop();
+  if (time_ < end) explain_stop();
 }
 
 Json Run::finish() {

@@ -1,6 +1,7 @@
 // A solve on its way: gravity, then the tools, step by step into a result folder; it can be killed and goes on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <memory>
 #include <optional>
 
 #include <palpate/command.hpp>
@@ -27,13 +28,18 @@ class Run {
   void keep(Archive& archive);
   void save();
   void explain_stop() const;
+  bool may_remesh() const;
+  void judge(const implicit::Step& step);
+  bool mend();
+  bool remesh(const std::string& why);
+  std::vector<std::string> files() const;
   std::string remark(const implicit::Step& step) const;
 
   Command& command_;
   Settings settings_;
   std::filesystem::path mesh_, folder_;  ///< mesh: instead of the case's, or empty
-  Case case_;
-  implicit::Equilibrium equilibrium_;
+  std::unique_ptr<Case> case_;
+  std::unique_ptr<implicit::Equilibrium> equilibrium_;
   implicit::State state_;
   ResultFolder results_;
   std::optional<Sensitivities> sensitivities_;
@@ -42,6 +48,10 @@ class Run {
   bool settled_ = false;
   double time_ = 0;  ///< that was reached, s
   std::optional<Restart> restart_;
+  std::vector<double> marks_;             ///< of the next remeshing
+  std::vector<std::string> meshes_;       ///< of the remeshings, from the folder; the last one is the case's
+  double marked_force_ = 0;               ///< before it, N
+  int failed_remeshings_ = 0;
 };
 
 }  // namespace palpate

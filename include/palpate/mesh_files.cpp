@@ -325,7 +325,13 @@ MeshFields read_mesh_fields(const std::filesystem::path& path) {
   for (int i = 0; i < data.GetPointData()->GetNumberOfArrays(); ++i)
     if (auto* array = data.GetPointData()->GetArray(i)) fields.on_points.push_back(from_vtk(*array, data.GetNumberOfPoints()));
   for (int i = 0; i < data.GetCellData()->GetNumberOfArrays(); ++i)
-    if (auto* array = data.GetCellData()->GetArray(i)) fields.on_tets.push_back(from_vtk(*array, tets));
+    if (auto* array = data.GetCellData()->GetArray(i)) {
+      Field all = from_vtk(*array, data.GetNumberOfCells());
+      const auto first_of_faces = all.values.begin() + all.components * tets;
+      fields.on_faces.push_back({all.name, all.components, {first_of_faces, all.values.end()}});
+      all.values.erase(first_of_faces, all.values.end());
+      fields.on_tets.push_back(std::move(all));
+    }
   return fields;
 }
 

@@ -55,6 +55,7 @@ void write_surface(const std::filesystem::path& path, const Surface& surface, co
 
 /// Throws Failure(unreadable): not a .vtu, cells other than tetrahedra and triangles, points that are not finite.
 TetMesh read_mesh(const std::filesystem::path& path);
+/// `tet_fields`: of the tetrahedra, and of the faces behind them where a field is long enough.
 void write_mesh(const std::filesystem::path& path, const TetMesh& mesh, const std::vector<Field>& point_fields = {},
                 const std::vector<Field>& tet_fields = {});
 
@@ -63,9 +64,9 @@ ShellMesh read_shells(const std::filesystem::path& path);
 void write_shells(const std::filesystem::path& path, const ShellMesh& mesh, const std::vector<Field>& point_fields = {},
                   const std::vector<Field>& triangle_fields = {});
 
-/// The fields on the points and on the tetrahedra of a .vtu (a solver's frame).
+/// The fields on the points, the tetrahedra and the faces of a .vtu (a solver's frame).
 struct MeshFields {
-  std::vector<Field> on_points, on_tets;
+  std::vector<Field> on_points, on_tets, on_faces;
 };
 MeshFields read_mesh_fields(const std::filesystem::path& path);
 

@@ -308,12 +308,12 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
 std::optional<Found> Equilibrium::solve(State& state, double time) {
   Trial trial;
   trial.state = state;
-  assembly_.remember(trial.state);
+  if (time != state.time) assembly_.remember(trial.state);
   trial.prescribed = Eigen::VectorXd::Zero(state.nodal.size());
   for (const auto& p : model_.prescribed)
     trial.prescribed(4 * p.node + p.component) =
         model_.amplitudes[p.amplitude].at(time) * p.value - state.nodal(4 * p.node + p.component);
-  const bool predicted = predict(trial, time);
+  const bool predicted = time != state.time && predict(trial, time);
   trial.state.time = time;
   if (!predicted) trial.equations = assembly_(trial.state, tangent_);
   if (trial.equations.fault != elements::ElementFault::none) {

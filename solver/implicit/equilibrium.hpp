@@ -36,7 +36,8 @@ class Equilibrium {
  public:
   Equilibrium(const Model& model, int threads, NewtonLimits limits = {});
 
-  /// Changes `state` to the equilibrium at `time` (s), or leaves it untouched, returns nothing and sets trouble().
+  /// Changes `state` to the equilibrium at `time` (s), or leaves it untouched, returns nothing and sets trouble(). At the state's own time: the
+  /// step that led there is solved again from its memory.
   std::optional<Found> find(State& state, double time);
   /// How the unknowns of the state that was found last answer changes of the residual and of the prescribed displacements, one per
   /// column: K x = −r, x = prescribed where there are such. The factor at hand is refined to K at the solution, or renewed.

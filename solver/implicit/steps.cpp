@@ -14,7 +14,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
     stride.done = 0;
     report({0, state, {}, 0, 0});
   }
-  auto& [done, part, easy] = stride;
+  auto& [done, part, easy, pause] = stride;
   for (int index = done + 1; index < static_cast<int>(plan.times.size()); ++index) {
     const double target = plan.times[index], whole = target - plan.times[index - 1];
     int iterations = 0, cuts = 0;
@@ -37,6 +37,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
     }
     done = index;
     report({index, state, last.equations, iterations, cuts});
+    if (pause) break;
   }
   return state.time;
 }

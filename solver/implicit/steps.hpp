@@ -30,6 +30,7 @@ struct Stride {
   int done = -1;    ///< index of the last time that was reported
   double part = 1;  ///< of the time between two reports
   int easy = 0;     ///< sub-steps in a row that Newton found quickly: two of them earn a longer one
+  bool pause = false;  ///< set while a time is reported: run_steps returns then
 };
 
 /// Calls `report` at every time of the plan after those of `stride`, `observe` (may be empty) after every sub-step. Returns the time reached:
