@@ -82,7 +82,7 @@ double default_finest(const Model& model) {
   double sum = 0;
   for (const auto& f : model.faces)
     for (int k = 0; k < 3; ++k) sum += (model.points[f[k]] - model.points[f[(k + 1) % 3]]).norm();
-  return sum / (3 * model.faces.size()) / 4;
+  return sum / (3 * model.faces.size()) / 2;
 }
 
 }  // namespace palpate

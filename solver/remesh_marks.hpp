@@ -21,7 +21,7 @@ std::vector<double> contact_marks(const implicit::Model& model, const implicit::
 /// Half the edges around a place of the rest shape where a step stopped. Empty: they are at their finest.
 std::vector<double> trouble_marks(const implicit::Model& model, const implicit::State& state, const Eigen::Vector3d& place_mm, const RemeshRules& rules);
 
-/// A quarter of the mean edge of the surface.
+/// Half of the mean edge of the surface.
 double default_finest(const implicit::Model& model);
 
 }  // namespace palpate

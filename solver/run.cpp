@@ -38,8 +38,6 @@ Run::Run(Command& c)
       state_(implicit::rest_state(case_->model)),
       results_(folder_, *case_, equilibrium_->assembly()) {
   if (c.has("sensitivities")) {
-    if (case_->remesh)
-      throw Failure(ExitCode::misuse, "no sensitivities of a run that remeshes", settings_.where("remesh"), "without [remesh], on a mesh that is fine enough");
     sensitivities_.emplace(settings_, mesh_, number_paths(c.text("sensitivities")), *equilibrium_, c.threads());
     observe_ = [this](const implicit::State& found) { sensitivities_->follow(found); };
   }
@@ -61,6 +59,7 @@ void Run::keep(Archive& archive) {
     *case_ = case_on(settings_, folder_ / meshes_.back(), *case_);
     equilibrium_ = std::make_unique<implicit::Equilibrium>(case_->model, command_.threads());
     results_.follow(*case_, equilibrium_->assembly());
+    if (sensitivities_) sensitivities_->use_mesh(folder_ / meshes_.back(), *equilibrium_, nullptr);
   }
   archive(state_, *equilibrium_, results_, settling_, pressing_, settled_);
   for (auto& tool : case_->model.tools) archive(tool.first_contact);
@@ -144,26 +143,38 @@ bool Run::mend() {
   return !marks_.empty() && remesh("a step stopped: " + equilibrium_->trouble().cause);
 }
 
+void Run::give_up_mesh(const std::string& name, const std::string& why) {
+  ++failed_remeshings_;
+  std::filesystem::remove(folder_ / name);
+  command_.warn("at " + std::to_string(state_.time) + " s: " + why + "; the mesh stays as it is");
+}
+
 /// The same load on a finer mesh; the run goes on there if equilibrium is found.
 bool Run::remesh(const std::string& why) {
   std::ostringstream name;
   name << "remesh/mesh_" << std::setw(2) << std::setfill('0') << meshes_.size() + 1 << ".vtu";
   const auto origins = remeshed(*case_, state_, marks_, folder_, name.str());
   auto fresh = std::make_unique<Case>(case_on(settings_, folder_ / name.str(), *case_));
+  if (static_cast<int>(fresh->model.points.size()) > case_->remesh->most_nodes) {
+    give_up_mesh(name.str(), "a finer mesh would have " + std::to_string(fresh->model.points.size()) + " nodes ([remesh] most_nodes, finest_mm)");
+    return false;
+  }
   auto equilibrium = std::make_unique<implicit::Equilibrium>(fresh->model, command_.threads());
   implicit::State state = implicit::carried(case_->model, state_, fresh->model, origins);
   const double before = implicit::volume(case_->model, state_), carried = implicit::volume(fresh->model, state);
   const auto found = equilibrium->find(state, state.time);
   if (!found) {
-    ++failed_remeshings_;
-    std::filesystem::remove(folder_ / name.str());
-    command_.warn("no equilibrium on a finer mesh at " + std::to_string(state_.time) + " s: " + equilibrium->trouble().cause + "; the run goes on without");
+    give_up_mesh(name.str(), "no equilibrium on a finer mesh: " + equilibrium->trouble().cause);
     return false;
   }
   case_ = std::move(fresh);
   equilibrium_ = std::move(equilibrium);
   state_ = std::move(state);
   results_.follow(*case_, equilibrium_->assembly());
+  if (sensitivities_) {
+    sensitivities_->use_mesh(folder_ / name.str(), *equilibrium_, &origins);
+    sensitivities_->follow(state_);
+  }
   meshes_.push_back(name.str());
   const Step step{0, state_, found->equations, found->iterations, 0};
   results_.remeshed({{"time_s", state_.time}, {"why", why}, {"nodes", case_->model.points.size()}, {"tets", case_->model.tets.size()},

@@ -32,6 +32,7 @@ class Run {
   void judge(const implicit::Step& step);
   bool mend();
   bool remesh(const std::string& why);
+  void give_up_mesh(const std::string& name, const std::string& why);
   std::vector<std::string> files() const;
   std::string remark(const implicit::Step& step) const;
 

@@ -7,6 +7,7 @@
 
 #include <palpate/errors.hpp>
 #include <solver/implicit/keep.hpp>
+#include <solver/remesh.hpp>
 #include <solver/results.hpp>
 
 namespace palpate {
@@ -46,6 +47,10 @@ VectorXd prescribed(const implicit::Model& model, double time) {
   return values;
 }
 
+implicit::BlockMatrix matrix_of(const implicit::Model& model) {
+  return {static_cast<int>(model.points.size()), model.tets, implicit::is_conservative(model)};
+}
+
 }  // namespace
 
 Shadow::Shadow(std::string number, double by, Case moved, int threads)
@@ -63,16 +68,20 @@ std::vector<std::string> number_paths(const std::string& list) {
 
 Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
                              implicit::Equilibrium& equilibrium, int threads)
-    : equilibrium_(equilibrium), still_("", 0, read_case(settings, mesh_override), threads), scratch_(static_cast<int>(still_.the_case.model.points.size()), still_.the_case.model.tets, implicit::is_conservative(still_.the_case.model)) {
+    : settings_(settings),
+      threads_(threads),
+      equilibrium_(&equilibrium),
+      still_(std::make_unique<Shadow>("", 0, read_case(settings, mesh_override), threads)),
+      scratch_(matrix_of(still_->the_case.model)) {
   if (numbers.empty()) throw Failure(ExitCode::misuse, "no numbers to differentiate by", "--sensitivities", "a path such as material.mu");
-  if (implicit::has_force_control(still_.the_case.model))
+  if (implicit::has_force_control(still_->the_case.model))
     throw Failure(ExitCode::misuse, "no sensitivities of a run with a tool controlled by force", settings.where("tool"), "control it by depth");
   table_ = "t[s]";
   for (const auto& path : numbers) {
     auto [change, moved] = moved_case(settings, mesh_override, path);
-    shadows_.emplace_back(path, change, std::move(moved), threads);
+    shadows_.push_back(std::make_unique<Shadow>(path, change, std::move(moved), threads));
     std::vector<std::string> forces = {"F", "Fx", "Fy", "Fz"};
-    for (std::size_t i = 2; i <= still_.the_case.model.tools.size(); ++i)
+    for (std::size_t i = 2; i <= still_->the_case.model.tools.size(); ++i)
       for (const char* component : {"Fx", "Fy", "Fz"}) forces.push_back(component + std::to_string(i));
     for (const auto& force : forces) table_ += ",d" + force + "/d(" + path + ")";
   }
@@ -80,13 +89,27 @@ Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::pa
 }
 
 void Sensitivities::take_tools_away() {
-  palpate::take_tools_away(still_.the_case);
-  for (auto& shadow : shadows_) palpate::take_tools_away(shadow.the_case);
+  palpate::take_tools_away(still_->the_case);
+  for (auto& shadow : shadows_) palpate::take_tools_away(shadow->the_case);
 }
 
 void Sensitivities::bring_tools() {
-  palpate::bring_tools(still_.the_case, still_.state);
-  for (auto& shadow : shadows_) palpate::bring_tools(shadow.the_case, shadow.state);
+  palpate::bring_tools(still_->the_case, still_->state);
+  for (auto& shadow : shadows_) palpate::bring_tools(shadow->the_case, shadow->state);
+}
+
+void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equilibrium& equilibrium, const implicit::Origins* origins) {
+  equilibrium_ = &equilibrium;
+  const auto use = [&](std::unique_ptr<Shadow>& shadow) {
+    Settings settings = Settings::read(settings_.file());
+    if (!shadow->path.empty()) settings.shift(shadow->path, shadow->change);
+    auto fresh = std::make_unique<Shadow>(shadow->path, shadow->change, case_on(settings, mesh, shadow->the_case), threads_);
+    if (origins) fresh->state = implicit::carried(shadow->the_case.model, shadow->state, fresh->the_case.model, *origins);
+    shadow = std::move(fresh);
+  };
+  use(still_);
+  for (auto& shadow : shadows_) use(shadow);
+  scratch_ = matrix_of(still_->the_case.model);
 }
 
 void Sensitivities::keep(Archive& archive) {
@@ -94,14 +117,14 @@ void Sensitivities::keep(Archive& archive) {
     archive(shadow.state, shadow.force_rates);
     for (auto& tool : shadow.the_case.model.tools) archive(tool.first_contact);
   };
-  keep_one(still_);
-  for (auto& shadow : shadows_) keep_one(shadow);
+  keep_one(*still_);
+  for (auto& shadow : shadows_) keep_one(*shadow);
   archive(table_);
 }
 
 /// The shadow at the run's new displacements, with its own memory and numbers.
 void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
-  shadow.assembly.remember(shadow.state);
+  if (found.time != shadow.state.time) shadow.assembly.remember(shadow.state);
   shadow.state.memory_time = found.memory_time;  // also where the run began
   shadow.state.nodal = found.nodal;
   shadow.state.bubbles = found.bubbles;
@@ -115,14 +138,14 @@ void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
 /// shadow where it stands aside, but its contact would round them.
 std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const VectorXd& change) const {
   const auto& tools = shadow.equations.contact.tools;
-  const auto& still = still_.equations;
+  const auto& still = still_->equations;
   std::vector<Vector3d> rates;
   for (std::size_t i = 0; i < tools.size(); ++i)
-    rates.push_back((tools[i].force - still.contact.tools[i].force + still_.assembly.tool_force_change(static_cast<int>(i), still_.state, change)) / shadow.change);
-  if (!tools.empty() || still_.the_case.moved.empty()) return rates;
-  const VectorXd residual = shadow.equations.residual - still.residual + equilibrium_.tangent().multiply(change);
+    rates.push_back((tools[i].force - still.contact.tools[i].force + still_->assembly.tool_force_change(static_cast<int>(i), still_->state, change)) / shadow.change);
+  if (!tools.empty() || still_->the_case.moved.empty()) return rates;
+  const VectorXd residual = shadow.equations.residual - still.residual + equilibrium_->tangent().multiply(change);
   rates.push_back(Vector3d::Zero());
-  for (int node : still_.the_case.moved.front().nodes) rates.front() += residual.segment<3>(4 * node) / shadow.change;
+  for (int node : still_->the_case.moved.front().nodes) rates.front() += residual.segment<3>(4 * node) / shadow.change;
   return rates;
 }
 
@@ -142,31 +165,31 @@ void Sensitivities::step_aside(Shadow& shadow, const VectorXd& change) {
 
 void Sensitivities::follow(const implicit::State& found) {
   const int count = static_cast<int>(shadows_.size());
-  approach(still_, found);
-  const VectorXd still_prescribed = prescribed(still_.the_case.model, found.time);
+  approach(*still_, found);
+  const VectorXd still_prescribed = prescribed(still_->the_case.model, found.time);
   MatrixXd residual_changes(found.nodal.size(), count), prescribed_changes(found.nodal.size(), count);
   for (int k = 0; k < count; ++k) {
-    Shadow& shadow = shadows_[k];
+    Shadow& shadow = *shadows_[k];
     approach(shadow, found);
-    residual_changes.col(k) = shadow.equations.residual - still_.equations.residual;
+    residual_changes.col(k) = shadow.equations.residual - still_->equations.residual;
     prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
   }
-  const MatrixXd changes = equilibrium_.response(residual_changes, prescribed_changes);
-  for (int k = 0; k < count; ++k) shadows_[k].force_rates = force_rates(shadows_[k], changes.col(k));
-  for (int k = 0; k < count; ++k) step_aside(shadows_[k], changes.col(k));
-  step_aside(still_, VectorXd::Zero(found.nodal.size()));
+  const MatrixXd changes = equilibrium_->response(residual_changes, prescribed_changes);
+  for (int k = 0; k < count; ++k) shadows_[k]->force_rates = force_rates(*shadows_[k], changes.col(k));
+  for (int k = 0; k < count; ++k) step_aside(*shadows_[k], changes.col(k));
+  step_aside(*still_, VectorXd::Zero(found.nodal.size()));
 }
 
 void Sensitivities::add(const implicit::Step& step) {
   std::ostringstream row;
   row.precision(12);
   row << step.state.time;
-  const Vector3d direction = driven_direction(still_.the_case);
-  const Driven still = driven(still_.the_case, {step.index, step.state, step.equations, 0, 0});
+  const Vector3d direction = driven_direction(still_->the_case);
+  const Driven still = driven(still_->the_case, {step.index, step.state, step.equations, 0, 0});
   for (const auto& shadow : shadows_) {
-    auto rates = step.index > 0 ? shadow.force_rates : std::vector<Vector3d>{};  // where the history begins, it reports no force
-    rates.resize(std::max<std::size_t>(1, still_.the_case.model.tools.size()), Vector3d::Zero());
-    const Vector3d turn = (driven_direction(shadow.the_case) - direction) / shadow.change;
+    auto rates = step.index > 0 ? shadow->force_rates : std::vector<Vector3d>{};  // where the history begins, it reports no force
+    rates.resize(std::max<std::size_t>(1, still_->the_case.model.tools.size()), Vector3d::Zero());
+    const Vector3d turn = (driven_direction(shadow->the_case) - direction) / shadow->change;
     row << "," << rates[0].dot(direction) + still.vector.dot(turn);
     for (const auto& rate : rates) row << "," << rate.x() << "," << rate.y() << "," << rate.z();
   }

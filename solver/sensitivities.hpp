@@ -5,11 +5,12 @@
 // Michaleris, Tortorelli, Vidal 1994, Int. J. Numer. Meth. Eng. 37:2471, direct differentiation of transient coupled problems.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <solver/case.hpp>
+#include <solver/implicit/carry.hpp>
 #include <solver/implicit/steps.hpp>
 
 namespace palpate {
@@ -37,7 +38,10 @@ class Sensitivities {
 
   void take_tools_away();
   void bring_tools();
-  /// After every accepted sub-step of the run.
+  /// The run goes on on another mesh of its rest shape, with this equilibrium: the shadows' states are carried there by the same weights (none
+  /// given: they are about to be read from an archive).
+  void use_mesh(const std::filesystem::path& mesh, implicit::Equilibrium& equilibrium, const implicit::Origins* origins);
+  /// After every accepted sub-step of the run, and after it found equilibrium again on another mesh.
   void follow(const implicit::State& found);
   /// A row at a reported step.
   void add(const implicit::Step& step);
@@ -51,10 +55,12 @@ class Sensitivities {
   std::vector<Eigen::Vector3d> force_rates(const Shadow& shadow, const Eigen::VectorXd& change) const;
   void step_aside(Shadow& shadow, const Eigen::VectorXd& change);
 
-  implicit::Equilibrium& equilibrium_;
-  Shadow still_;  ///< nothing moved: what rounding does to the others, it does to this one too
+  Settings settings_;
+  int threads_;
+  implicit::Equilibrium* equilibrium_;
+  std::unique_ptr<Shadow> still_;  ///< nothing moved: what rounding does to the others, it does to this one too
   implicit::BlockMatrix scratch_;
-  std::deque<Shadow> shadows_;
+  std::vector<std::unique_ptr<Shadow>> shadows_;
   std::string table_;
 };
 

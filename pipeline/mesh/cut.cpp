@@ -221,21 +221,28 @@ CutReport cut(CarriedMesh mesh, const Surface& surface, Result& result) {
   const auto side = sides(m, on_cut, knife);
   const auto tets_of = tets_of_faces(m);
   CutReport report;
+  std::vector<std::pair<Face, std::vector<int>>> parted;
   Joined joined(4 * m.tets.size());
   std::vector<int> tet_of_face;
   for (const auto& face : m.faces) tet_of_face.push_back(tets_of.at(sorted(face)).front());
   for (const auto& [face, tets] : tets_of) {
     if (tets.size() != 2) continue;
-    if (side[tets[0]] * side[tets[1]] < 0 && std::all_of(face.begin(), face.end(), [&](int node) { return on_cut.contains(node); })) {
-      for (int t : tets) {
-        add_lip(result, t, face, side[t] < 0 ? lips : lips + 1);
-        tet_of_face.push_back(t);
-      }
-      ++report.faces;
-      report.area_mm2 += norm(cross(m.points[face[1]] - m.points[face[0]], m.points[face[2]] - m.points[face[0]])) / 2;
-    } else {
+    if (side[tets[0]] * side[tets[1]] < 0 && std::all_of(face.begin(), face.end(), [&](int node) { return on_cut.contains(node); }))
+      parted.emplace_back(face, tets);
+    else
       for (int node : face) joined.join(4 * tets[0] + local(m, tets[0], node), 4 * tets[1] + local(m, tets[1], node));
+  }
+  for (const auto& [face, tets] : parted) {
+    const bool opens = std::any_of(face.begin(), face.end(), [&, &two = tets](int node) {
+      return joined.root(4 * two[0] + local(m, two[0], node)) != joined.root(4 * two[1] + local(m, two[1], node));
+    });
+    if (!opens) continue;  // all of its corners lie on the rim
+    for (int t : tets) {
+      add_lip(result, t, face, side[t] < 0 ? lips : lips + 1);
+      tet_of_face.push_back(t);
     }
+    ++report.faces;
+    report.area_mm2 += norm(cross(m.points[face[1]] - m.points[face[0]], m.points[face[2]] - m.points[face[0]])) / 2;
   }
   if (report.faces == 0) throw Failure(ExitCode::misuse, "the surface cuts nothing of the mesh", "--cut", "a surface through the mesh, in its place as it is now");
   m.region_names[lips] = "cut_1";

@@ -21,6 +21,17 @@ assert notes["tets"]["after"] >= 3 * notes["tets"]["before"], notes["tets"]
 assert abs(volume["after"] / volume["before"] - 1) <= 1e-12, volume  # round-off
 PY
 
+# A core of 12 mm diameter cut out of the block, from top to bottom.
+"$bin/palpate-idealize" knife.vtp --diameter 12 --length 60 --edge 1 --quiet
+"$bin/palpate-remesh" block.vtu cored.vtu --cut knife.vtp --quiet >/dev/null
+python3 - <<'PY'
+import json, math
+notes = json.load(open("cored.vtu.card.json"))["notes"]
+print(notes["cut"], notes["volume_mm3"], notes["quality"]["scaled_jacobian"]["min"])
+assert notes["cut"]["components"] == {"before": 1, "after": 2}, notes["cut"]
+assert abs(notes["volume_mm3"]["after"] / notes["volume_mm3"]["before"] - 1) <= 2e-3
+assert abs(notes["cut"]["lip_area_mm2"] / (math.pi * 12 * 20) - 1) <= 0.05, notes["cut"]  # flat faces of 4 mm cells
+PY
 cat >case.toml <<'TOML'
 schema = "palpate-case/1"
 [material]
@@ -83,4 +94,34 @@ for kind, same in (("", 1e-6), ("-effects", 1e-3)):
 coarse = json.load(open("coarse/summary.json"))
 assert "remeshings" not in coarse
 print(f"force on the coarse mesh {coarse['final_force_N']}")
+PY
+
+# Sensitivities through a remeshing, against central differences of whole runs: to 1e-4 of the largest (issue 3).
+cat remesh-effects.toml | sed 's/^depth_mm.*/depth_mm = 2.0/; s/^count.*/count = 4/' >base.toml
+"$bin/palpate-solve" base.toml base --mesh block.vtu --threads 1 --quiet --sensitivities "material.mu, effect[0].g[0], tool.aim_mm[2]" </dev/null >/dev/null
+for change in mu g; do
+  for sign in + -; do
+    case $change in
+      mu) sed "s/^mu = .*/mu = $(python3 -c "print(0.005 * (1 $sign 1e-3))")/" base.toml ;;
+      g) sed "s/^g = .*/g = [$(python3 -c "print(0.4 $sign 1e-4)")]/" base.toml ;;
+    esac >moved.toml
+    "$bin/palpate-solve" moved.toml "moved-$change$sign" --mesh block.vtu --threads 1 --quiet </dev/null >/dev/null
+  done
+done
+python3 - <<'PY'
+import csv, json
+def column(path, name):
+    rows = list(csv.DictReader(open(path)))
+    return [float(r[name]) for r in rows]
+assert json.load(open("base/summary.json"))["remeshings"]
+for change, path, step in (("mu", "material.mu", 0.005e-3), ("g", "effect[0].g[0]", 1e-4)):
+    for sign in "+-":
+        cmp = [open(f"{name}/remesh/mesh_01.vtu", "rb").read() for name in ("base", f"moved-{change}{sign}")]
+        assert cmp[0] == cmp[1], "another mesh"
+    said = column("base/sensitivities.csv", f"dF/d({path})")
+    up, down = (column(f"moved-{change}{sign}/history.csv", "F[N]") for sign in "+-")
+    found = [(a - b) / (2 * step) for a, b in zip(up, down)]
+    worst = max(abs(a - b) for a, b in zip(said, found)) / max(map(abs, found))
+    print(f"dF/d({path}): {said[-1]:.6g}, by whole runs {found[-1]:.6g}, worst {worst:.1e} of the largest")
+    assert worst <= 1e-4, (said, found)
 PY

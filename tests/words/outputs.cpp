@@ -104,4 +104,19 @@ TEST_F(Outputs, ALeftoverUnderOurOwnNumberDoesNotMixWithNewWork) {
   EXPECT_EQ(files_in(output.temporary()), 0);
 }
 
+TEST_F(Outputs, TheNewestWorkOfTheDeadIsHandedOver) {
+  const fs::path old = folder / (".partial-" + std::to_string(dead_process()) + "-f"), newer = folder / (".partial-" + std::to_string(dead_process()) + "-f"),
+                 alive = folder / (".partial-" + std::to_string(getppid()) + "-f");
+  for (const fs::path& name : {old, newer, alive}) {
+    fs::create_directory(name);
+    write_text(name / "work", name.string());
+  }
+  fs::last_write_time(old, fs::last_write_time(newer) - std::chrono::hours(1));
+  const PendingOutput output(folder / "f", Kind::folder, false, PendingOutput::Leftovers::handed_over);
+  EXPECT_EQ(read_text(output.temporary() / "work"), newer.string());
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_FALSE(fs::exists(newer));
+  EXPECT_TRUE(fs::exists(alive));
+}
+
 TEST_F(Outputs, FullDiskIsTold) { EXPECT_THROW(write_text("/dev/full", std::string(1 << 20, 'x')), Failure); }

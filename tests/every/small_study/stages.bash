@@ -1,7 +1,7 @@
 # The stages of the small study one by one; sourced by the tests of tests/every.
 # SPDX-License-Identifier: GPL-3.0-or-later
 small_study=$PWD/tests/every/small_study
-all_stages="phantom import segment surface mesh solve report"
+all_stages="phantom import segment surface mesh remesh solve report"
 
 # make_small_study <bin> <folder>: runs the whole study, quietly.
 make_small_study() {
@@ -20,6 +20,7 @@ call_stage() {
     segment) set -- "$from/scan.nii.gz" "$to/labels.nii.gz" "$@" ;;
     surface) set -- "$from/labels.nii.gz" "$to/surface.vtp" --edge=4 "$@" ;;
     mesh) set -- "$from/surface.vtp" "$to/mesh.vtu" --edge=6 "$@" ;;
+    remesh) set -- "$from/mesh.vtu" "$to/remeshed.vtu" "$@" ;;
     solve) set -- "$study/soft.toml" "$to/soft" --mesh "$from/mesh.vtu" "$@" ;;
     report) set -- "$from" "$to/report.html" "$@" ;;
     *) echo "no call for the stage $stage" >&2; return 99 ;;
