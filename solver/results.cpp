@@ -109,7 +109,7 @@ ResultFolder::ResultFolder(std::filesystem::path folder, const Case& the_case, c
 void ResultFolder::make_folders() const { std::filesystem::create_directory(folder_ / "frames"); }
 
 void ResultFolder::keep(Archive& archive) {
-  archive(history_, frames_, files_, frame_count_, iterations_, cuts_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
+  archive(history_, frames_, files_, frame_count_, iterations_, cuts_, drags_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
           worst_penetration_, smallest_J_, remeshings_);
 }
 
@@ -129,6 +129,7 @@ void ResultFolder::remeshed(Json facts, const implicit::Step& step) {
 void ResultFolder::settled(const implicit::Step& step) {
   iterations_ += step.iterations;
   cuts_ += step.cuts;
+  drags_ += step.drags;
   if (step.equations.residual.size() > 0) worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step));
 }
 
@@ -192,6 +193,7 @@ Json ResultFolder::finish(double time_reached) {
                   {"base_nodes", case_->base_nodes},
                   {"steps", steps_},
                   {"cuts", cuts_},
+                  {"found_by_drag", drags_},
                   {"iterations", iterations_},
                   {"smallest_J", smallest_J_},
                   {"worst_penetration_of_element_size", worst_penetration_},

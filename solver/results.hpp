@@ -59,7 +59,7 @@ class ResultFolder {
   const implicit::Assembly* assembly_;
   std::string history_, frames_;
   std::vector<std::string> files_;
-  int frame_count_ = 0, iterations_ = 0, cuts_ = 0, steps_ = 0;
+  int frame_count_ = 0, iterations_ = 0, cuts_ = 0, drags_ = 0, steps_ = 0;
   double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   std::vector<implicit::OrganSums> organs_;  ///< at the last step
   double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1;

@@ -136,6 +136,10 @@ void BlockMatrix::values(const std::vector<char>& fixed, std::vector<double>& ou
   });
 }
 
+void BlockMatrix::add_to_displacements(double stiffness) {
+  for (int i = 0; i < nodes(); ++i) blocks_[row_start_[i + 1] - 1].diagonal().head<3>().array() += stiffness;
+}
+
 Eigen::VectorXd BlockMatrix::multiply(const Eigen::VectorXd& x) const {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(4 * nodes());
   for (int i = 0; i < nodes(); ++i)

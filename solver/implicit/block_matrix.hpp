@@ -25,6 +25,8 @@ class BlockMatrix {
   /// Adds the block of nodes (i, j); (j, i) is its transpose and is not added separately.
   void add(int i, int j, const Block& block);
   /// Adds the blocks (i, j) and (j, i); for i = j both are the same one. Of a symmetric matrix the symmetric part is taken.
+  /// `stiffness` (N/mm) on the diagonal of every displacement.
+  void add_to_displacements(double stiffness);
   void add_both(int i, int j, const Block& ij, const Block& ji);
   /// Adds the symmetric matrix of tetrahedron `tet`, node by node; its blocks' places are known beforehand.
   void add_tet(int tet, const Eigen::Matrix<double, 16, 16>& matrix);

@@ -50,16 +50,6 @@ std::vector<double> excess(const Equations& equations) {
 
 }  // namespace
 
-struct Equilibrium::Trial {
-  State state;
-  Eigen::VectorXd prescribed;  ///< increment still to be applied
-  std::vector<double> excess;  ///< of force-controlled tools, N
-  Equations equations;
-  double residual = 0;
-  std::vector<double> history;
-  int iterations = 0;
-};
-
 Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
     : model_(model),
       limits_(limits),
@@ -84,7 +74,17 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
   volume_scale_ = std::sqrt(volume_scale_);
   for (const auto& material : model.materials) shear_modulus = std::max(shear_modulus, material.shear_modulus());
   element_size_ = std::cbrt(volume / model.tets.size());
+  stiffness_scale_ = shear_modulus * element_size_;
   force_floor_ = 1e-4 * shear_modulus * element_size_ * element_size_;
+}
+
+Equations Equilibrium::assemble(State& state) {
+  Equations equations = assembly_(state, tangent_);
+  if (drag_.stiffness == 0 || equations.fault != elements::ElementFault::none) return equations;
+  for (int i = 0; i < state.nodal.size(); ++i)
+    if (i % 4 != 3) equations.residual(i) += drag_.stiffness * (state.nodal(i) - drag_.from(i));
+  tangent_.add_to_displacements(drag_.stiffness);
+  return equations;
 }
 
 double Equilibrium::relative_residual(const Trial& trial) const {
@@ -159,7 +159,7 @@ bool Equilibrium::evaluate(Trial& trial, const Trial& start, const Increment& st
   trial.state.contact_pressures = assembly_.next_pressures(start.state, start.equations.contact, step, start.state.time, length);
   trial.state.pair_pressures = assembly_.next_pair_pressures(start.state, start.equations.contact, step, length);
   trial.prescribed = (1 - length) * start.prescribed;
-  trial.equations = assembly_(trial.state, tangent_);
+  trial.equations = assemble(trial.state);
   if (trial.equations.fault != elements::ElementFault::none) {
     explain_fault(trial.equations);
     return false;
@@ -225,13 +225,13 @@ bool Equilibrium::predict(Trial& trial, double time) {
   return true;
 }
 
-bool Equilibrium::newton(Trial& trial) {
+bool Equilibrium::newton(Trial& trial, const NewtonLimits& limits) {
   trial.excess = excess(trial.equations);
   trial.residual = relative_residual(trial);
   trial.history.push_back(trial.residual);
   const double hopeless = lost * std::max(1.0, trial.residual);
-  while (!(trial.residual <= limits_.tolerance)) {
-    if (trial.iterations == limits_.iterations || !(trial.residual <= hopeless)) {
+  while (!(trial.residual <= limits.tolerance)) {
+    if (trial.iterations == limits.iterations || !(trial.residual <= hopeless)) {
       explain_residual(trial);
       return false;
     }
@@ -305,7 +305,8 @@ std::optional<Found> Equilibrium::find(State& state, double time) {
   return found;
 }
 
-std::optional<Found> Equilibrium::solve(State& state, double time) {
+/// From `state`, with its prescribed displacements still to be applied.
+Equilibrium::Trial Equilibrium::trial_from(const State& state, double time) const {
   Trial trial;
   trial.state = state;
   if (time != state.time) assembly_.remember(trial.state);
@@ -313,19 +314,19 @@ std::optional<Found> Equilibrium::solve(State& state, double time) {
   for (const auto& p : model_.prescribed)
     trial.prescribed(4 * p.node + p.component) =
         model_.amplitudes[p.amplitude].at(time) * p.value - state.nodal(4 * p.node + p.component);
-  const bool predicted = time != state.time && predict(trial, time);
-  trial.state.time = time;
-  if (!predicted) trial.equations = assembly_(trial.state, tangent_);
-  if (trial.equations.fault != elements::ElementFault::none) {
-    explain_fault(trial.equations);
-    return {};
-  }
-  if (!newton(trial)) return {};
-  if (trial.iterations > 0 && tangent_.symmetric() && solver_.negative_pivots() != free_pressures_) {
-    trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front(),
-                Cause::beyond_limit_point};
-    return {};
-  }
+  return trial;
+}
+
+/// The last factor says so, which is of a tangent close to convergence; of unsymmetric ones nothing is known.
+bool Equilibrium::stable(const Trial& trial) {
+  if (trial.iterations == 0 || !tangent_.symmetric() || solver_.negative_pivots() == free_pressures_) return true;
+  trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front(),
+              Cause::beyond_limit_point};
+  return false;
+}
+
+/// Makes a trial that found equilibrium the state.
+std::optional<Found> Equilibrium::accept(Trial& trial, State& state) {
   if (jumped_through(state, trial) || drifts(trial.state)) return {};
   state = std::move(trial.state);
   at_equilibrium_ = trial.iterations > 0;
@@ -338,6 +339,19 @@ void Equilibrium::keep(Archive& archive) {
   archive(analysed_extensions_, at_equilibrium_, last_found_, rates_, tangent_);
   if (at_equilibrium_) archive(solver_);
   else if (archive.reading()) analysed_extensions_ = -1;
+}
+
+std::optional<Found> Equilibrium::solve(State& state, double time) {
+  Trial trial = trial_from(state, time);
+  const bool predicted = time != state.time && predict(trial, time);
+  trial.state.time = time;
+  if (!predicted) trial.equations = assemble(trial.state);
+  if (trial.equations.fault != elements::ElementFault::none) {
+    explain_fault(trial.equations);
+    return {};
+  }
+  if (!newton(trial, limits_) || !stable(trial)) return {};
+  return accept(trial, state);
 }
 
 Eigen::MatrixXd Equilibrium::response(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes) {

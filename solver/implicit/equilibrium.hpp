@@ -39,6 +39,8 @@ class Equilibrium {
   /// Changes `state` to the equilibrium at `time` (s), or leaves it untouched, returns nothing and sets trouble(). At the state's own time: the
   /// step that led there is solved again from its memory.
   std::optional<Found> find(State& state, double time);
+  /// As find(), for steps that it cannot make: follows the organ over an instability to the next equilibrium that is stable.
+  std::optional<Found> find_by_drag(State& state, double time);
   /// How the unknowns of the state that was found last answer changes of the residual and of the prescribed displacements, one per
   /// column: K x = −r, x = prescribed where there are such. The factor at hand is refined to K at the solution, or renewed.
   Eigen::MatrixXd response(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes);
@@ -50,11 +52,29 @@ class Equilibrium {
   const Assembly& assembly() const { return assembly_; }
 
  private:
-  struct Trial;
+  struct Trial {
+    State state;
+    Eigen::VectorXd prescribed;  ///< increment still to be applied
+    std::vector<double> excess;  ///< of force-controlled tools, N
+    Equations equations;
+    double residual = 0;
+    std::vector<double> history;
+    int iterations = 0;
+  };
+  /// Pulls every node back to where it was: see find_by_drag.
+  struct Drag {
+    double stiffness = 0;  ///< N/mm
+    Eigen::VectorXd from;
+  };
+  Trial trial_from(const State& state, double time) const;
+  Equations assemble(State& state);
+  bool stable(const Trial& trial);
+  bool drag_along(Trial& trial);
+  std::optional<Found> accept(Trial& trial, State& state);
   std::optional<Found> solve(State& state, double time);
   bool drifts(const State& state);
   bool predict(Trial& trial, double time);
-  bool newton(Trial& trial);
+  bool newton(Trial& trial, const NewtonLimits& limits);
   bool line_search(Trial& trial, const Increment& step);
   bool evaluate(Trial& trial, const Trial& start, const Increment& step, double length);
   double slope(const Trial& trial, const Increment& step) const;
@@ -76,12 +96,13 @@ class Equilibrium {
   int analysed_extensions_ = 0;  ///< of the tangent's pattern, as the solver knows it
   std::vector<char> fixed_;
   int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
-  double volume_scale_ = 0, force_floor_ = 0, element_size_ = 0;
+  double volume_scale_ = 0, force_floor_ = 0, element_size_ = 0, stiffness_scale_ = 0;
   bool at_equilibrium_ = false;  ///< the factor is the tangent's at the last state found
   Equations last_found_;         ///< of that state
   std::vector<FreeBody> free_bodies_;
   double rate_ = 0;              ///< of the step at hand, see below
   std::vector<double> rates_;    ///< of the predictor, mm/s, one per step found: they grow without bound towards a limit point
+  Drag drag_;
   Trouble trouble_;
 };
 

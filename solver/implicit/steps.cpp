@@ -7,21 +7,33 @@
 
 namespace palpate::implicit {
 
+namespace {
+
+/// A smaller step is cheaper than drag; where this many do not help, the organ is about to jump. Once between two reports: drag is dear.
+constexpr int cuts_before_drag = 3;
+
+}  // namespace
+
 double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, Stride& stride, const std::function<void(const Step&)>& report,
                  const Observer& observe) {
   if (stride.done < 0) {
     state.time = plan.times.front();
     stride.done = 0;
-    report({0, state, {}, 0, 0});
+    report({0, state, {}, 0, 0, 0});
   }
   auto& [done, part, easy, pause] = stride;
   for (int index = done + 1; index < static_cast<int>(plan.times.size()); ++index) {
     const double target = plan.times[index], whole = target - plan.times[index - 1];
-    int iterations = 0, cuts = 0;
+    int iterations = 0, cuts = 0, drags = 0;
     Found last;
     while (state.time < target) {
       const bool to_target = state.time + 1.001 * part * whole >= target;
-      auto found = equilibrium.find(state, to_target ? target : state.time + part * whole);
+      const double next = to_target ? target : state.time + part * whole;
+      auto found = equilibrium.find(state, next);
+      if (!found && cuts == std::min(cuts_before_drag, plan.most_cuts)) {
+        found = equilibrium.find_by_drag(state, next);
+        drags += found.has_value();
+      }
       if (found) {
         iterations += found->iterations;
         last = std::move(*found);
@@ -36,7 +48,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
       }
     }
     done = index;
-    report({index, state, last.equations, iterations, cuts});
+    report({index, state, last.equations, iterations, cuts, drags});
     if (pause) break;
   }
   return state.time;

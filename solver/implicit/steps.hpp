@@ -20,6 +20,7 @@ struct Step {
   const Equations& equations;  ///< empty at index 0
   int iterations = 0;  ///< of Newton, all sub-steps together
   int cuts = 0;        ///< sub-steps that failed
+  int drags = 0;       ///< sub-steps that were found by drag
 };
 
 /// Sees every sub-step that is accepted.
