@@ -1,6 +1,7 @@
 // An effect that may be missing: what it changes, of which size it is tried, and what cannot be told from it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct Effect {
   /// Observation side: the depth the tool really reaches, from the one read off; the force read off, from the one there is.
   void (*depth)(const Run& run, double e, std::span<const double> shape, Path& depth_mm) = nullptr;
   void (*force)(const Run& run, double e, std::span<const double> shape, Path& force_N) = nullptr;
+  /// Lateral force over axial force, along x and y, that it adds to a run.
+  std::array<double, 2> (*lateral)(const Run& run, double e, std::span<const double> shape) = nullptr;
   /// Compliance in series with the tool, mm/N.
   double (*compliance)(double e) = nullptr;
   /// Tissue, contact, geometry, support. Shapes are relative to the set: see Tissue.
@@ -34,6 +37,7 @@ struct Effect {
   bool needs_time = false;     ///< a set without times cannot show it
   bool needs_unload = false;   ///< nor one in which no run unloads
   bool needs_hold = false;     ///< nor one without hold, unloading and a second rate
+  bool told_inverse = false;   ///< people are told one over the amplitude
   bool repeats = false;        ///< it may be taken again with another shape (a second relaxation time)
   std::string (*known)(const Set& set) = nullptr;  ///< why the set leaves nothing to find; empty: it does
   std::string absent;  ///< why it is not offered; empty: it is

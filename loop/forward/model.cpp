@@ -6,16 +6,32 @@
 #include <cmath>
 
 #include <loop/forward/row.hpp>
+#include <loop/set/thinned.hpp>
 
 namespace palpate::loop {
 namespace {
 
 constexpr int springs = 64;
 
-std::vector<int> block_begins(int samples, int most) {
-  const int count = std::min(samples, most);
+/// About `most` blocks; every stretch of one phase has its own, in number as the square root of its samples.
+std::vector<int> block_begins(const Run& run, int most) {
+  const auto ends = stretches(run);
+  const int count = static_cast<int>(ends.size()) - 1;
+  if (count * 4 > most) {  // phases that flicker
+    const int samples = ends.back(), blocks = std::min(samples, most);
+    std::vector<int> begin;
+    for (int b = 0; b <= blocks; ++b) begin.push_back(static_cast<int>(static_cast<long>(samples) * b / blocks));
+    return begin;
+  }
+  double roots = 0;
+  for (int s = 0; s < count; ++s) roots += std::sqrt(ends[s + 1] - ends[s]);
   std::vector<int> begin;
-  for (int b = 0; b <= count; ++b) begin.push_back(static_cast<int>(static_cast<long>(samples) * b / count));
+  for (int s = 0; s < count; ++s) {
+    const int samples = ends[s + 1] - ends[s];
+    const int blocks = std::clamp(static_cast<int>(std::lround(most * std::sqrt(samples) / roots)), 1, samples);
+    for (int b = 0; b < blocks; ++b) begin.push_back(ends[s] + static_cast<int>(static_cast<long>(samples) * b / blocks));
+  }
+  begin.push_back(ends.back());
   return begin;
 }
 
@@ -94,7 +110,7 @@ Forward::Forward(const Set& set) : set_(&set), scale_(0) {
   for (const Run& run : set.runs) used += run.role == Role::fit;
   const int most = std::clamp(1500 / std::max(used, 1), 40, 120);
   for (const Run& run : set.runs) {
-    begin_.push_back(block_begins(static_cast<int>(run.t.size()), most));
+    begin_.push_back(block_begins(run, most));
     if (run.role != Role::calibration)
       for (std::size_t i = 0; i < run.u.size(); ++i) scale_ = std::max(scale_, run.test == Test::indentation ? run.u[i] : std::abs(run.F[i]));
   }
@@ -102,7 +118,14 @@ Forward::Forward(const Set& set) : set_(&set), scale_(0) {
 }
 
 Eigen::VectorXd Forward::samples_per_block(std::size_t run) const {
-  Eigen::VectorXd count(blocks(run));
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(blocks(run));
+  for (int b = 0; b < count.size(); ++b)
+    for (int i = begin_[run][b]; i < begin_[run][b + 1]; ++i) count(b) += set_->runs[run].averaged[i];
+  return count;
+}
+
+Eigen::VectorXi Forward::rows_per_block(std::size_t run) const {
+  Eigen::VectorXi count(blocks(run));
   for (int b = 0; b < count.size(); ++b) count(b) = begin_[run][b + 1] - begin_[run][b];
   return count;
 }
@@ -159,10 +182,12 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
   const Site place = site(run);
   const double deepest = std::max(*std::max_element(depth.begin(), depth.end()), 1e-6) * 1.001;
   std::vector<double> depths, forces;
+  const auto own = model.tool_form.find(run.tool);
+  const double of_tool = 1 + (own == model.tool_form.end() ? 0 : own->second);
   for (int i = 0; i <= springs; ++i) {
     depths.push_back(deepest * std::pow(static_cast<double>(i) / springs, 1.4));
     const double x = depths.back() / scale_;
-    forces.push_back(elastic(run, place, tissue, depths.back()) * (1 + model.form[0] * (2 * x - 1) + model.form[1] * (6 * x * x - 6 * x + 1)));
+    forces.push_back(of_tool * elastic(run, place, tissue, depths.back()) * (1 + model.form[0] * (2 * x - 1) + model.form[1] * (6 * x * x - 6 * x + 1)));
   }
   auto list = springs_of(depths, forces);
   add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
@@ -184,7 +209,7 @@ std::vector<double> Forward::force(std::size_t r, const Model& model) const {
     zero = depth_of_force(run.zero_force_N, scale_, [&](double d) { return elastic(run, place, tissue, d); });
   }
   if (run.test == Test::indentation)
-    for (double& d : depth) d += zero;
+    for (double& d : depth) d += zero + model.form[2] * scale_;
   for (const Active& a : model.active) {
     if (a.effect->depth && run.test == Test::indentation) a.effect->depth(run, a.amplitude, a.shape, depth);
     if (a.effect->compliance) compliance += a.effect->compliance(a.amplitude);

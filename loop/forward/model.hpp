@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <atomic>
+#include <map>
 
 #include <loop/forward/backbone.hpp>
 #include <loop/forward/effect.hpp>
@@ -22,7 +23,8 @@ struct Model {
   double zero_mm = 0;              ///< contact lies so far below the tool's start (zero = "tool_start")
   double gain = 0;                 ///< of the rig, where it is known with a standard deviation
   double compliance_mm_per_N = 0;  ///< of the rig, where it is known
-  double form[2] = {0, 0};         ///< relative error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest
+  double form[3] = {0, 0, 0};      ///< error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest + form₂
+  std::map<std::string, double> tool_form;  ///< and of each further tool's, relative
   std::vector<Active> active;
 };
 
@@ -30,11 +32,13 @@ class Forward {
  public:
   explicit Forward(const Set& set);
   const Set& set() const { return *set_; }
-  /// Every run's blocks, in order of the runs: at most `most` per run, never more than samples.
+  /// Blocks of neighbouring samples, none across two phases; short phases have short blocks.
   int blocks(std::size_t run) const { return static_cast<int>(begin_[run].size()) - 1; }
   Eigen::VectorXd measured(std::size_t run) const { return averaged(run, set_->runs[run].F); }
   Eigen::VectorXd times(std::size_t run) const { return averaged(run, set_->runs[run].t); }
+  /// Samples of the file behind each block, and of ours.
   Eigen::VectorXd samples_per_block(std::size_t run) const;
+  Eigen::VectorXi rows_per_block(std::size_t run) const;
   std::string phase_of(std::size_t run, int block) const;
   Eigen::VectorXd averaged(std::size_t run, const std::vector<double>& values) const;
   /// The force, N (stress in MPa of a homogeneous test), of each sample.

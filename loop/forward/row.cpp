@@ -40,9 +40,14 @@ Row::Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool l
   for (const Spring& s : springs_) {
     stiffness_sum_.push_back(stiffness_sum_.back() + s.stiffness);
     moment_sum_.push_back(moment_sum_.back() + s.stiffness * s.start);
-    has_memory_ = has_memory_ || s.reach > 0;
+    has_reach_ = has_reach_ || s.reach > 0;
   }
+  has_memory_ = has_memory_ || has_reach_;
   if (!has_memory_) return;
+  if (only_relaxes()) {
+    for (const Spring& s : springs_) start_.push_back(s.start);
+    elongation_ = change_ = sum_ = free_ = std::vector<double>(springs_.size(), 0.0);
+  }
   memory_.resize(springs_.size());
   maxwell_.assign(springs_.size() * kept_.size(), 0);
 }
@@ -119,8 +124,44 @@ std::size_t Row::in_play(double depth) const {
   return n;
 }
 
+/// All springs at once: force instant e + Σ g q; where it is not positive the spring is free and goes to where it carries nothing.
+double Row::advance_relaxing(double depth) {
+  const std::size_t n = touched_, all = springs_.size();
+  double slope = instant_;
+  for (std::size_t i = 0; i < n; ++i) {
+    change_[i] = depth - start_[i] - elongation_[i];
+    sum_[i] = instant_ * (depth - start_[i]);
+    free_[i] = 0;
+  }
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    const double g = tissue_.prony[k].g, kept = kept_[k], gained = gained_[k];
+    const double* q = maxwell_.data() + k * all;
+    slope += g * gained;
+    for (std::size_t i = 0; i < n; ++i) {
+      sum_[i] += g * (kept * q[i] + gained * change_[i]);
+      free_[i] += g * (kept * q[i] - gained * elongation_[i]);
+    }
+  }
+  double force = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_free = !(sum_[i] > 0);
+    force += is_free ? 0 : springs_[i].stiffness * sum_[i];
+    change_[i] = is_free ? -free_[i] / slope - elongation_[i] : change_[i];
+    elongation_[i] += change_[i];
+  }
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    double* q = maxwell_.data() + k * all;
+    for (std::size_t i = 0; i < n; ++i) q[i] = kept_[k] * q[i] + gained_[k] * change_[i];
+  }
+  return force;
+}
+
 double Row::trial(double depth, double dt) const {
   if (!has_memory_) return elastic(depth);
+  if (only_relaxes()) {
+    Row copy = *this;
+    return copy.advance(depth, dt);
+  }
   prepare(dt);
   double force = 0, maxwell[most_terms];
   const std::size_t terms = kept_.size(), count = in_play(depth);
@@ -137,6 +178,7 @@ double Row::advance(double depth, double dt) {
   prepare(dt);
   double force = 0;
   touched_ = in_play(depth);
+  if (only_relaxes()) return advance_relaxing(depth);
   for (std::size_t i = 0; i < touched_; ++i) force += step(i, memory_[i], maxwell_.data() + i * kept_.size(), depth);
   return force;
 }

@@ -40,18 +40,21 @@ class Row {
     bool touching = false;
   };
   double elastic(double depth) const;
+  bool only_relaxes() const { return lets_go_ && !has_reach_ && !(tissue_.mullins > 0) && !(tissue_.set_fraction > 0); }
   double carried(Memory& after, const double* maxwell) const;
   double step(std::size_t i, Memory& after, double* maxwell, double depth) const;
+  double advance_relaxing(double depth);
   std::size_t in_play(double depth) const;
   void prepare(double dt) const;
 
   std::vector<Spring> springs_;
   std::vector<double> stiffness_sum_, moment_sum_;  ///< Σ w, Σ w δ of the springs before each: the elastic curve
   std::vector<Memory> memory_;
-  std::vector<double> maxwell_;  ///< elastic elongation of each Prony term, springs × terms
+  std::vector<double> maxwell_;  ///< elastic elongation of each Prony term, springs × terms; terms × springs where nothing else remembers
+  std::vector<double> start_, elongation_, change_, sum_, free_;  ///< of each spring, for advance_relaxing
   const Tissue tissue_;
   double scale_, instant_;
-  bool lets_go_, has_memory_;
+  bool lets_go_, has_memory_, has_reach_ = false;
   std::size_t touched_ = 0;  ///< springs from here on have never been touched
   mutable double prepared_ = -1;
   mutable std::vector<double> kept_, gained_;  ///< exp(−dt/τ) and (1 − exp(−dt/τ)) τ/dt of the current step

@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include <loop/methods/thresholds.hpp>
+#include <loop/set/thinned.hpp>
 
 namespace palpate::loop {
 
-using Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd, Eigen::VectorXi;
 
 namespace {
 
@@ -75,7 +76,7 @@ namespace {
 /// Largest second difference of a block, less what noise makes of it (four deviations), over the block's samples.
 VectorXd corners(const Forward& forward, std::size_t run) {
   const auto& force = forward.set().runs[run].F;
-  const VectorXd count = forward.samples_per_block(run);
+  const VectorXi count = forward.rows_per_block(run);
   const double noise = 4 * std::sqrt(6.0) * fast_sd(force);
   VectorXd corner = VectorXd::Zero(count.size());
   std::size_t i = 0;
@@ -114,14 +115,6 @@ NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& 
     shape.Q.col(j) = q / q.norm();
   }
   return shape;
-}
-
-double fast_sd(const std::vector<double>& values) {
-  std::vector<double> second;
-  for (std::size_t i = 2; i < values.size(); ++i) second.push_back(std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
-  if (second.empty()) return 0;
-  std::nth_element(second.begin(), second.begin() + second.size() / 2, second.end());
-  return second[second.size() / 2] / (std::sqrt(6.0) * 0.6745);
 }
 
 namespace {

@@ -50,9 +50,6 @@ class Whitener {
 /// Directions of the run's noise; `slope` is dF/du of each block, N/mm.
 NoiseShape noise_shape(const Forward& forward, std::size_t run, const Eigen::VectorXd& slope, double depth_scale_mm);
 
-/// Standard deviation of one sample from second differences (median; exact for white noise on a straight line).
-double fast_sd(const std::vector<double>& values);
-
 /// `residual[i]` belongs to `shapes[i]`; `group[i]` names its replicates, −1 for none.
 Noise estimate_noise(const std::vector<NoiseShape>& shapes, const std::vector<Eigen::VectorXd>& residual, const std::vector<int>& group,
                      double sensor_sd);

@@ -19,11 +19,27 @@ void add_effect(Active& active, std::vector<FitParameter>& list) {
   const Parameter& amplitude = entry.parameters[0];
   list.push_back({entry.name + "." + amplitude.name, amplitude.unit, &active.amplitude, amplitude.range.min, amplitude.range.max, false,
                   1e-3 * amplitude.typical});
+  list.back().told_inverse = active.effect->told_inverse;
   if (!active.effect->refines) return;
   for (std::size_t i = 0; i < active.shape.size(); ++i) {
     const Parameter& p = entry.parameters[i + 1];
     list.push_back({entry.name + "." + p.name, p.unit, &active.shape[i], p.range.min, p.range.max, true, 1e-3});
   }
+}
+
+/// The elastic curve's own error: linear and quadratic in depth, in depth itself, and a factor for each tool after the first.
+void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
+  for (int i : {0, 1, 2}) {
+    const double sd = i < 2 ? thresholds::form_sd : thresholds::form_depth_sd;
+    list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -0.1, 0.1, false, 1e-4, 0, sd});
+  }
+  std::string first;
+  for (const Run& run : set.runs) {
+    if (run.role != Role::fit || run.test != Test::indentation) continue;
+    if (first.empty()) first = run.tool;
+    if (run.tool != first) model.tool_form.try_emplace(run.tool, 0.0);
+  }
+  for (auto& [tool, factor] : model.tool_form) list.push_back({"form." + tool, "1", &factor, -0.2, 0.2, false, 1e-4, 0, thresholds::form_sd});
 }
 
 }  // namespace
@@ -42,9 +58,7 @@ std::vector<FitParameter> fit_parameters(Model& model, const Set& set) {
   if (set.gain.state == Known::State::prior) list.push_back({"rig.gain", "1", &model.gain, -0.5, 0.5, false, 1e-4, set.gain.value - 1, set.gain.sd});
   if (set.compliance_mm_per_N.state == Known::State::prior)
     list.push_back({"rig.compliance", "mm/N", &model.compliance_mm_per_N, 0, 10, false, 1e-4, set.compliance_mm_per_N.value, set.compliance_mm_per_N.sd});
-  if (std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.test == Test::indentation; }))
-    for (int i : {0, 1})
-      list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -0.1, 0.1, false, 1e-4, 0, thresholds::form_sd});
+  if (std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.test == Test::indentation; })) add_form(model, set, list);
   for (Active& active : model.active) add_effect(active, list);
   return list;
 }

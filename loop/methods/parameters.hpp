@@ -13,6 +13,7 @@ struct FitParameter {
   bool logarithmic = false;
   double step = 0;          ///< of differences, in the fit's own coordinate
   double prior = 0, prior_sd = 0;  ///< 0: no prior
+  bool told_inverse = false;       ///< people are told 1/value
   double coordinate() const;
   void set_coordinate(double x);
 };

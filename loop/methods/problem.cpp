@@ -35,12 +35,27 @@ double series_compliance(const Model& model) {
   return c;
 }
 
-/// Rows behind the data: priors, then the block. Values are (observed − modelled)/sd.
+std::array<double, 2> lateral(const Model& model, const Run& run) {
+  std::array<double, 2> sum = {0, 0};
+  for (const Active& a : model.active)
+    if (a.effect->lateral) {
+      const auto own = a.effect->lateral(run, a.amplitude, a.shape);
+      sum = {sum[0] + own[0], sum[1] + own[1]};
+    }
+  return sum;
+}
+
+/// Rows behind the data: priors, the block, lateral forces. Values are (observed − modelled)/sd.
 std::vector<double> further_rows(const Problem& p, const Model& model, const std::vector<FitParameter>& parameters) {
   std::vector<double> rows;
   for (const FitParameter& q : parameters)
     if (q.prior_sd > 0) rows.push_back((q.prior - *q.value) / q.prior_sd);
   if (p.block_compliance_sd > 0) rows.push_back((p.block_compliance - series_compliance(model)) / p.block_compliance_sd);
+  for (const Lateral& l : p.laterals) {
+    const auto modelled = lateral(model, p.forward->set().runs[l.run]);
+    rows.push_back((l.x - modelled[0]) / l.sd);
+    rows.push_back((l.y - modelled[1]) / l.sd);
+  }
   return rows;
 }
 
@@ -90,13 +105,11 @@ Stacked tangents(const Problem& p, Model& model) {
 }
 
 Stacked secant(const Problem& p, Model& model, const Effect& effect, double amplitude, const std::vector<double>& shape) {
-  const auto rows = further_rows(p, model, fit_parameters(model, p.forward->set()));
   Model with = model;
   with.active.push_back({&effect, amplitude, shape});
-  Stacked s{(predicted(p, with) - predicted(p, model)) / amplitude, MatrixXd::Zero(rows.size(), 1)};
-  if (p.block_compliance_sd > 0)
-    s.rows(s.rows.rows() - 1, 0) = (series_compliance(with) - series_compliance(model)) / amplitude / p.block_compliance_sd;
-  return s;
+  const VectorXd rows = vector_of(further_rows(p, model, fit_parameters(model, p.forward->set())));
+  const VectorXd rows_with = vector_of(further_rows(p, with, fit_parameters(with, p.forward->set())));
+  return {(predicted(p, with) - predicted(p, model)) / amplitude, (rows - rows_with) / amplitude};
 }
 
 Fit fitted(const Problem& p, Model start) {
@@ -104,9 +117,11 @@ Fit fitted(const Problem& p, Model start) {
   VectorXd r = whitened(p, p.whiteners, residual(p, fit.model));
   fit.chi2 = r.squaredNorm();
   double damping = 1e-3;
-  MatrixXd N;
+  MatrixXd T, N;
+  bool fresh = false;  // tangents are kept while steps do what they promise
   for (int iteration = 0; iteration < 25 && !fit.converged; ++iteration) {
-    const MatrixXd T = whitened(p, p.whiteners, tangents(p, fit.model));
+    const bool kept = fresh;
+    if (!kept) T = whitened(p, p.whiteners, tangents(p, fit.model));
     N = T.transpose() * T;
     const VectorXd g = T.transpose() * r;
     for (int attempt = 0; attempt < 8; ++attempt) {
@@ -123,6 +138,7 @@ Fit fitted(const Problem& p, Model start) {
       const double chi2 = r_trial.squaredNorm();
       if (chi2 < fit.chi2) {
         fit.converged = fit.chi2 - chi2 < 1e-4 * std::max(1.0, 1e-3 * chi2);
+        fresh = !fit.converged && fit.chi2 - chi2 > 0.9 * (2 * g.dot(step) - step.dot(N * step));
         fit.model = trial;
         fit.chi2 = chi2;
         r = r_trial;
@@ -130,7 +146,8 @@ Fit fitted(const Problem& p, Model start) {
         break;
       }
       damping *= 6;
-      if (attempt == 7) fit.converged = true;
+      if (attempt == 7) fit.converged = !kept;
+      fresh = false;
     }
   }
   fit.covariance = (N + 1e-12 * MatrixXd(N.diagonal().asDiagonal()) + 1e-300 * MatrixXd::Identity(N.rows(), N.cols())).inverse();

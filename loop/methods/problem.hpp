@@ -6,12 +6,19 @@
 
 namespace palpate::loop {
 
+/// A run's lateral force over its axial force, by least squares.
+struct Lateral {
+  std::size_t run = 0;
+  double x = 0, y = 0, sd = 1;
+};
+
 /// Data of a fit. A block run adds one observation of the rig's compliance.
 struct Problem {
   const Forward* forward = nullptr;
   std::vector<std::size_t> runs;    ///< indices into the set
   std::vector<Whitener> whiteners;  ///< one per run of `runs`
   double block_compliance = 0, block_compliance_sd = 0;  ///< sd 0: no block run
+  std::vector<Lateral> laterals;
 };
 
 struct Fit {

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include <palpate/errors.hpp>
+#include <palpate/nearest.hpp>
 #include <loop/methods/parallel.hpp>
 #include <loop/methods/thresholds.hpp>
 
@@ -32,6 +35,7 @@ struct Linear {
   MatrixXd whitened_S;
   Scores scores;
   std::vector<Column> columns;
+  double chi2 = 0;
 };
 
 bool is_active(const Model& model, const Effect* effect) {
@@ -45,8 +49,9 @@ Linear linear(Session& s, Model& model, const std::vector<Candidate>& candidates
   l.T = tangents(s.problem, model);
   l.S = secants(s.problem, model, candidates, l.columns);
   l.whitened_S = whitened(s.problem, s.problem.whiteners, l.S);
-  l.scores = score(whitened(s.problem, s.problem.whiteners, l.T), l.whitened_S, whitened(s.problem, s.problem.whiteners, residual(s.problem, model)),
-                   candidates, l.columns, lengths_of(s));
+  const VectorXd r = whitened(s.problem, s.problem.whiteners, residual(s.problem, model));
+  l.chi2 = r.squaredNorm();
+  l.scores = score(whitened(s.problem, s.problem.whiteners, l.T), l.whitened_S, r, candidates, l.columns, lengths_of(s));
   return l;
 }
 
@@ -64,13 +69,67 @@ bool at_the_edge(const Fit& fit) {
   return (range.min < 0 && a.amplitude <= 0.99 * range.min) || a.amplitude >= 0.99 * range.max;
 }
 
+/// A limit just under the largest force read, on a tissue stiff enough to reach beyond it.
+Fit limit_refit(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape) {
+  Model stiff = model;
+  for (std::size_t i = 0; i < stiff.parameters.size(); ++i)
+    if (stiff.law->parameters[i].unit == "MPa") stiff.parameters[i] *= 1.2;
+  return refit_with(s, stiff, c, shape, 0.87 * c.probe);
+}
+
 /// Two starts: the score's amplitude, and the secant's for effects whose derivative at zero means little.
 Fit column_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column) {
   const auto& shape = c.grid[l.columns[column].grid];
   const double e = l.scores.z[column] / l.scores.norm[column];
   Fit fit = refit_with(s, model, c, shape, e);
-  Fit other = refit_with(s, model, c, shape, std::copysign(c.probe, e));
+  const double expected = l.scores.z[column] * l.scores.z[column];
+  if (fit.chi2 <= l.chi2 - 0.8 * expected && !c.effect->probe_of) return fit;
+  Fit other = c.effect->told_inverse ? limit_refit(s, model, c, shape) : refit_with(s, model, c, shape, std::copysign(c.probe, e));
   return other.chi2 < fit.chi2 ? other : fit;
+}
+
+/// Whether all fitted runs are one kind of homogeneous test.
+bool one_kind_of_test(const Set& set) {
+  std::vector<Test> kinds;
+  for (const Run& run : set.runs)
+    if (run.role == Role::fit) kinds.push_back(run.test);
+  return !kinds.empty() && kinds.front() != Test::indentation && std::count(kinds.begin(), kinds.end(), kinds.front()) == static_cast<long>(kinds.size());
+}
+
+/// How far the nominal stress of `to` departs from that of `from`, relative to its largest, in a test whose first invariant goes to `most` on
+/// the side of the stretches measured.
+double departure(Test test, double most, bool stretched, const Model& from, const Model& to) {
+  const Tissue a = tissue_of(from), b = tissue_of(to);
+  double largest = 1e-300, apart = 0;
+  for (int i = 1; i <= 400; ++i) {
+    const double l = stretched ? 1 + 0.025 * i : 1 - 0.0024 * i;
+    const double I1 = test == Test::uniaxial ? l * l + 2 / l : test == Test::equibiaxial ? 2 * l * l + 1 / (l * l * l * l) : l * l + 1 + 1 / (l * l);
+    if (I1 - 3 > most && i > 1) break;
+    const double was = nominal_stress(test, l, *a.law, a.parameters, a.stiffening);
+    largest = std::max(largest, std::abs(was));
+    apart = std::max(apart, std::abs(nominal_stress(test, l, *b.law, b.parameters, b.stiffening) - was));
+  }
+  return apart / largest;
+}
+
+/// Data of one kind of test that change little but would change another test at the same I1 beyond all proportion do not carry a law: what it
+/// says of the other test is made up.
+bool made_up(const Session& s, const Model& before, const Model& after) {
+  if (!one_kind_of_test(*s.set)) return false;
+  double own = 0, others = 0;
+  for (bool stretched : {true, false}) {
+    double most = 0;
+    for (std::size_t r : s.problem.runs)
+      for (double u : s.set->runs[r].u) {
+        const double l = s.set->runs[r].test == Test::simple_shear ? u / 2 + std::sqrt(1 + u * u / 4) : u;
+        if ((l > 1) == stretched) most = std::max(most, l * l + 2 / l - 3);
+      }
+    if (!(most > 1e-3)) continue;
+    const Test kind = s.set->runs[s.problem.runs.front()].test == Test::simple_shear ? Test::pure_shear : s.set->runs[s.problem.runs.front()].test;
+    own = std::max(own, departure(kind, most, stretched, before, after));
+    for (Test test : {Test::uniaxial, Test::equibiaxial, Test::pure_shear}) others = std::max(others, departure(test, most, stretched, before, after));
+  }
+  return others > thresholds::made_up * own;
 }
 
 /// The best column's refit; where shapes are kinds that a fit cannot move (laws, places), the best of the five best columns, one within
@@ -85,13 +144,15 @@ Fit best_refit(const Session& s, const Model& model, const Candidate& c, const L
   others.resize(std::min<std::size_t>(others.size(), 4));
   for (int j : others) {
     Fit other = column_refit(s, model, c, l, j);
-    if (std::pair(at_the_edge(other), other.chi2) < std::pair(at_the_edge(fit), fit.chi2)) fit = std::move(other);
+    const bool worse = at_the_edge(fit) || made_up(s, model, fit.model), other_worse = at_the_edge(other) || made_up(s, model, other.model);
+    if (std::pair(other_worse, other.chi2) < std::pair(worse, fit.chi2)) fit = std::move(other);
   }
   return fit;
 }
 
-/// Which candidates are refitted: the best by score, every instrument, and whatever looks like the best.
-std::vector<int> worth_refitting(const Linear& l, const std::vector<Candidate>& candidates) {
+/// Which candidates are refitted: the best by score, every instrument, and whatever looks like the best; none whose score is far below
+/// `least`.
+std::vector<int> worth_refitting(const Linear& l, const std::vector<Candidate>& candidates, double least = 0) {
   std::vector<int> order;
   for (int c = 0; c < static_cast<int>(candidates.size()); ++c)
     if (l.scores.best[c] >= 0) order.push_back(c);
@@ -100,6 +161,7 @@ std::vector<int> worth_refitting(const Linear& l, const std::vector<Candidate>& 
   for (int i = 0; i < static_cast<int>(order.size()); ++i) {
     const bool instrument = candidates[order[i]].effect->entry.kind == "instrument";
     const double cosine = std::abs(l.scores.directions.col(l.scores.best[order[i]]).dot(l.scores.directions.col(l.scores.best[order[0]])));
+    if (l.scores.lambda[order[i]] < thresholds::hopeless * std::max(least, l.scores.lambda[order[0]])) continue;
     if (i < thresholds::refitted || instrument || cosine > 0.9) chosen.push_back(order[i]);
   }
   return chosen;
@@ -135,14 +197,28 @@ NullDistribution nulls(Session& s, const Linear& l, const std::vector<Candidate>
   return null_distribution(null, count, seed, s.threads);
 }
 
-/// Share by which the leave-one-run-out excess falls; of the whole left-out misfit where noise is so wide that there is no excess.
-double fall_of(const Session& s, double before, const Model& after) {
-  const double excess = left_out_excess(s.problem, after, s.threads);
-  if (before > 0) return 1 - std::max(excess, 0.0) / before;
-  double blocks = 0;
-  for (std::size_t run : s.problem.runs)
-    if (s.set->runs[run].role == Role::fit) blocks += s.forward->blocks(run);
-  return (before - excess) / std::max(before + blocks, 1e-300);
+/// Share by which the leave-one-run-out excess falls. Where noise is so wide that there is hardly any excess, the gain on runs left out is
+/// held against the gain on the curves fitted, `lambda`.
+double fall_of(const Session& s, double before, const Model& after, double lambda) {
+  return (before - left_out_excess(s.problem, after, s.threads)) / std::max({before, lambda, 1e-300});
+}
+
+/// Share of what speaks for a candidate's best column that lies outside the curves: in what is known beforehand, the block run, lateral forces.
+double share_of_rows(const Linear& l, int column, const std::vector<int>& lengths) {
+  const int blocks = std::accumulate(lengths.begin(), lengths.end(), 0);
+  return l.scores.directions.col(column).tail(l.scores.directions.rows() - blocks).squaredNorm();
+}
+
+/// The larger of that and of the share that lies in one run: leaving runs out cannot confirm it.
+double share_of_one_run(const Linear& l, int column, const std::vector<int>& lengths) {
+  const VectorXd direction = l.scores.directions.col(column);
+  double largest = share_of_rows(l, column, lengths);
+  int at = 0;
+  for (int length : lengths) {
+    largest = std::max(largest, direction.segment(at, length).squaredNorm());
+    at += length;
+  }
+  return largest;
 }
 
 double null_excess(const Session& s) {
@@ -152,7 +228,7 @@ double null_excess(const Session& s) {
 }
 
 /// The best candidate that passes threshold and relevance; −1: none. Writes the reasons.
-int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
+int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
   const double least = current.model.active.empty() ? 0 : thresholds::second_share * null_excess(s);
   double before = std::numeric_limits<double>::quiet_NaN();
   int taken = -1;
@@ -171,6 +247,15 @@ int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold
       t.reason = "its amplitude runs to the edge of what is plausible";
       continue;
     }
+    const Active& own = t.fit.model.active.back();
+    if (own.effect->lateral && std::abs(own.amplitude) < 2 * thresholds::prior_lateral_sd) {
+      t.reason = "no more than how a tool is set up by hand";
+      continue;
+    }
+    if (made_up(s, current.model, t.fit.model)) {
+      t.reason = "one kind of test does not carry it: it would change other tests beyond all proportion";
+      continue;
+    }
     if (taken >= 0) {
       t.reason = "fits less well than the one taken";
       continue;
@@ -183,8 +268,10 @@ int chosen(Session& s, Fit& current, std::vector<Tried>& tried, double threshold
     if (std::isnan(before)) before = left_out_excess(s.problem, current.model, s.threads);
     if (std::isnan(before) || (!can_claim && s.problem.runs.size() < 3)) {  // too few runs to leave one out
       t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
+    } else if (share_of_one_run(l, l.scores.best[t.candidate], lengths_of(s)) > thresholds::one_run) {
+      t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
     } else {
-      t.left_out_fall = fall_of(s, before, t.fit.model);
+      t.left_out_fall = fall_of(s, before, t.fit.model, t.lambda * (1 - share_of_rows(l, l.scores.best[t.candidate], lengths_of(s))));
       if (!(t.left_out_fall >= thresholds::relevance)) {
         t.reason = "runs left out are not predicted better";
         continue;
@@ -204,7 +291,16 @@ std::vector<std::string> names_of(const Model& model) {
   return names;
 }
 
-/// Effects that a later one has made needless go again.
+/// One effect that explains as well as several is the better explanation.
+void simplify(Finding& f) {
+  if (f.final.model.active.size() < 2) return;
+  const Tried* best = nullptr;
+  for (const Tried& t : f.steps.front())
+    if (t.refitted && !(t.p > f.threshold_p) && !at_the_edge(t.fit) && t.fit.chi2 < f.final.chi2 + 2 * thresholds::alternative && (!best || t.fit.chi2 < best->fit.chi2)) best = &t;
+  if (best) f.final = best->fit;
+}
+
+/// Effects that a later one has made needless go again. `null` is that of the model without effects.
 void delete_needless(Session& s, Fit& current, const std::vector<Candidate>& candidates, const NullDistribution& null) {
   for (std::size_t i = 0; current.model.active.size() > 1 && i < current.model.active.size();) {
     Model without = current.model;
@@ -231,7 +327,7 @@ void exchange(Session& s, Finding& f) {
     without.active.erase(without.active.begin() + i);
     Fit base = fitted(s.problem, without);
     const Linear l = linear(s, base.model, f.candidates);
-    const auto worth = worth_refitting(l, f.candidates);
+    const auto worth = worth_refitting(l, f.candidates, base.chi2 - f.final.chi2);
     std::vector<Fit> fits(worth.size());
     for_each_index(static_cast<int>(worth.size()), s.threads, [&](int k) {
       if (f.candidates[worth[k]].effect != own.effect) fits[k] = best_refit(s, base.model, f.candidates[worth[k]], l, l.scores.best[worth[k]]);
@@ -240,7 +336,7 @@ void exchange(Session& s, Finding& f) {
       if (f.candidates[worth[k]].effect == own.effect) continue;
       Fit& fit = fits[k];
       const double behind = 0.5 * (fit.chi2 - f.final.chi2);
-      if (behind > thresholds::alternative || at_the_edge(fit)) continue;
+      if (behind > thresholds::alternative || at_the_edge(fit) || made_up(s, base.model, fit.model)) continue;
       auto names = names_of(fit.model);
       if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
       if (behind < -0.05) {
@@ -260,8 +356,8 @@ void exchange(Session& s, Finding& f) {
 
 VerdictKind judged(const Finding& f, bool can_claim) {
   if (!can_claim) return VerdictKind::ranking_only;
-  const bool structured = f.structure_after > f.structure_limit;
   const double expected = f.structure_limit / 1.3;  // about its mean under the null
+  const bool structured = f.structure_after - expected > thresholds::structure_margin * (f.structure_limit - expected);
   const double left = (f.structure_after - expected) / std::max(f.structure_before - expected, 1e-300);
   if (f.final.model.active.empty()) return structured ? VerdictKind::unexplained : VerdictKind::nothing_supported;
   if (structured && left > thresholds::unexplained_share) return VerdictKind::unexplained;
@@ -292,13 +388,27 @@ std::vector<BlindSpot> blind_spots(Session& s, const std::vector<Candidate>& can
   return spots;
 }
 
+Fit fit_with(Session& s, const std::string& effect) {
+  const auto candidates = candidates_of(*s.set);
+  std::vector<std::string> names;
+  for (int c = 0; c < static_cast<int>(candidates.size()); ++c) {
+    names.push_back(candidates[c].effect->entry.name);
+    if (names.back() != effect) continue;
+    if (!candidates[c].pruned.empty()) throw Failure(ExitCode::refused, "this set cannot tell of " + effect + ": " + candidates[c].pruned, s.set->file.string());
+    const Linear l = linear(s, s.null.model, candidates);
+    if (l.scores.best[c] < 0) throw Failure(ExitCode::refused, effect + " has no signature of its own here, or the wrong sign", s.set->file.string());
+    return best_refit(s, s.null.model, candidates[c], l, l.scores.best[c]);
+  }
+  throw Failure(ExitCode::misuse, "unknown effect: " + effect, "", "did you mean " + nearest_name(effect, names) + "?");
+}
+
 Finding search(Session& s, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark) {
   Finding f;
   f.candidates = candidates_of(*s.set);
   f.blind_spots = blind_spots(s, f.candidates);
   f.final = s.null;
   const bool can_claim = s.noise.replicate_degrees > 0;
-  NullDistribution null;
+  NullDistribution null, first;
   for (int step = 0;; ++step) {
     remark("step " + std::to_string(step + 1) + ": scores" + (can_claim ? " and nulls" : ""));
     const Linear l = linear(s, f.final.model, f.candidates);
@@ -306,18 +416,25 @@ Finding search(Session& s, int null_sets, std::uint64_t seed, const std::functio
     (step == 0 ? f.structure_before : f.structure_after) = l.scores.structure;
     f.structure_after = l.scores.structure;
     f.structure_limit = null.structure_limit;
-    if (step == 0) f.threshold_p = null.threshold_p;
+    if (step == 0) {
+      f.threshold_p = null.threshold_p;
+      first = null;
+    }
     if (step == thresholds::most_effects) break;
     remark("step " + std::to_string(step + 1) + ": refits");
     f.steps.push_back(try_all(s, f.final, l, f.candidates, can_claim ? &null : nullptr));
-    const int taken = chosen(s, f.final, f.steps.back(), null.threshold_p, can_claim);
+    const int taken = chosen(s, f.final, l, f.steps.back(), null.threshold_p, can_claim);
     if (taken < 0) break;
     f.final = f.steps.back()[taken].fit;
-    if (can_claim) delete_needless(s, f.final, f.candidates, null);
+    if (can_claim) delete_needless(s, f.final, f.candidates, first);
   }
+  simplify(f);
   remark("alternatives");
   if (!f.final.model.active.empty()) exchange(s, f);
   f.kind = judged(f, can_claim);
+  f.oddities = oddities(s, f.final.model);
+  if (can_claim && !f.oddities.empty()) f.kind = VerdictKind::unexplained;
+  if (one_kind_of_test(*s.set) && !f.final.model.active.empty()) f.remarks.push_back("one kind of test tells little of a law in the other tests");
   f.reported_before = with_equal_weights(s, s.null.model);
   f.reported_after = with_equal_weights(s, f.final.model);
   return f;

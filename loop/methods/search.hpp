@@ -1,6 +1,7 @@
 // The search for the missing effect: score, refit, threshold, relevance, alternatives; forward with deletion.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <loop/methods/oddities.hpp>
 #include <loop/methods/score.hpp>
 #include <loop/methods/session.hpp>
 
@@ -39,10 +40,16 @@ struct Finding {
   std::vector<double> alternative_distance;            ///< Δℓ behind the best
   double structure_before = 0, structure_after = 0, structure_limit = 0;
   double threshold_p = 0;
+  std::vector<Oddity> oddities;           ///< of the final model's residuals
+  std::vector<std::string> remarks;       ///< what a person should know of the choice
 };
 
 /// `remark` is told what is going on.
 Finding search(Session& session, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark);
+
+/// The null with one effect of the catalogue fitted to it, at its best grid point. Throws Failure(misuse) for a name the catalogue does not have,
+/// Failure(refused) for an effect this set leaves out, with the reason.
+Fit fit_with(Session& session, const std::string& effect);
 
 /// The blind-spot table alone: it needs no measured force beyond the null fit.
 std::vector<BlindSpot> blind_spots(Session& session, const std::vector<Candidate>& candidates);

@@ -10,6 +10,7 @@
 #include <palpate/errors.hpp>
 #include <loop/forward/register.hpp>
 #include <loop/methods/parallel.hpp>
+#include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
 
@@ -38,8 +39,9 @@ double sensor_sd_of(const Set& set, std::string& source) {
   std::vector<double> air, all;
   double largest = 0;
   for (const Run& run : set.runs) {
-    if (run.role != Role::holdout) (run.is_air() ? air : all).push_back(fast_sd(run.F));
-    for (double F : run.F) largest = std::max(largest, std::abs(F));
+    if (run.role != Role::holdout) (run.is_air() ? air : all).push_back(run.fast_sd_N);
+    if (run.role == Role::fit)
+      for (double F : run.F) largest = std::max(largest, std::abs(F));
   }
   source = air.empty() ? "fast fluctuations of all runs" : "air";
   std::vector<double>& of = air.empty() ? all : air;
@@ -126,6 +128,37 @@ void add_block(const Set& set, Problem& p) {
   }
 }
 
+/// Lateral forces; their deviation from replicates, with one pseudo-observation of how well a tool is set up by hand, and the sensor's.
+void add_lateral(const Session& s, double sensor_sd, Problem& p) {
+  std::map<int, std::vector<Lateral>> groups;
+  double smallest = 1e300;
+  for (std::size_t i = 0; i < p.runs.size(); ++i) {
+    const Run& run = s.set->runs[p.runs[i]];
+    if (run.role != Role::fit || run.Fx.size() != run.F.size() || run.Fy.size() != run.F.size()) continue;
+    double FF = 0, xF = 0, yF = 0;
+    for (std::size_t k = 0; k < run.F.size(); ++k) {
+      FF += run.F[k] * run.F[k];
+      xF += run.Fx[k] * run.F[k];
+      yF += run.Fy[k] * run.F[k];
+    }
+    if (!(FF > 0)) continue;
+    smallest = std::min(smallest, FF);
+    p.laterals.push_back({p.runs[i], xF / FF, yF / FF, 1});
+    if (s.group[i] >= 0) groups[s.group[i]].push_back(p.laterals.back());
+  }
+  double square = thresholds::prior_weight * thresholds::prior_lateral_sd * thresholds::prior_lateral_sd, degrees = thresholds::prior_weight;
+  for (const auto& [group, list] : groups) {
+    double x = 0, y = 0;
+    for (const Lateral& l : list) {
+      x += l.x / list.size();
+      y += l.y / list.size();
+    }
+    for (const Lateral& l : list) square += (l.x - x) * (l.x - x) + (l.y - y) * (l.y - y);
+    degrees += 2.0 * (list.size() - 1);
+  }
+  for (Lateral& l : p.laterals) l.sd = std::sqrt(square / degrees + sensor_sd * sensor_sd / smallest);
+}
+
 void choose_runs(Session& s) {
   std::map<std::string, int> groups;
   for (std::size_t i = 0; i < s.set->runs.size(); ++i) {
@@ -134,7 +167,7 @@ void choose_runs(Session& s) {
     s.problem.runs.push_back(i);
     s.group.push_back(run.replicate.empty() ? -1 : groups.try_emplace(run.replicate, static_cast<int>(groups.size())).first->second);
   }
-  if (std::none_of(s.set->runs.begin(), s.set->runs.end(), [](const Run& r) { return r.role == Role::fit; }))
+  if (std::none_of(s.problem.runs.begin(), s.problem.runs.end(), [&](std::size_t r) { return s.set->runs[r].role == Role::fit; }))
     throw Failure(ExitCode::refused, "no run to fit", s.set->file.string(), "role = \"fit\" for at least one run");
 }
 
@@ -174,6 +207,7 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct) {
     if (run.test == Test::indentation && run.role == Role::fit) deepest = std::max(deepest, *std::max_element(run.u.begin(), run.u.end()));
   s.depth_scale_mm = deepest > 0 ? deepest : 1;
   const double sensor_sd = sensor_sd_of(set, s.sensor_source);
+  add_lateral(s, sensor_sd, s.problem);
   std::string law = set.specimen.law == "unknown" ? "neo_hookean" : set.specimen.law;
   for (int round = 0; round < 2; ++round) {  // the second round knows the noise's directions at a fitted model
     const Model start = round == 0 ? start_model(set, law) : s.null.model;

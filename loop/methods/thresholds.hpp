@@ -11,18 +11,28 @@ inline constexpr double level = 0.01;             ///< of the smallest p over th
 inline constexpr int null_sets = 1000;            ///< bootstrapped nulls per step
 inline constexpr double alternative = 4.6;        ///< Δℓ within which another explanation is not excluded
 inline constexpr double relevance = 0.2;          ///< fall of the leave-one-run-out excess error
+inline constexpr double one_run = 0.8;            ///< share of a signature in one run, above which leaving it out says nothing
 inline constexpr int most_effects = 3;
 inline constexpr double second_share = 0.03;      ///< of the null's excess misfit that a further effect must explain
 inline constexpr double corner = 0.3;             ///< of a second difference between samples: when between them did the tool turn?
 inline constexpr int refitted = 6;                ///< best candidates that are refitted, besides instruments
+inline constexpr double hopeless = 0.02;          ///< of the best candidate's score: below it no refit
 inline constexpr double confounded_cosine = 0.98; ///< of whitened tangents after projection: told apart by no data of this protocol
 inline constexpr double visible = 4;              ///< ‖P s‖ e below which the protocol cannot see an effect
+inline constexpr double structure_margin = 2;     ///< of the nulls' 99 % excess over their mean: room for noise of another shape than ours
 inline constexpr double unexplained_share = 0.1;  ///< of the null's excess misfit that may be left by a claimed effect
+inline constexpr double drop_strength = 8;        ///< of a sudden drop, over the usual change between neighbours
+inline constexpr double drop_share = 0.015;       ///< of it, of the run's largest force
+inline constexpr double swing_share = 0.5;        ///< of the scatter at rest that one frequency explains
+inline constexpr double swing_size = 0.002;       ///< of it, of the largest force
+inline constexpr double made_up = 10;             ///< change of other tests over the change of the one measured, above which one test does not carry a law
 inline constexpr double prior_weight = 1;         ///< pseudo-observations behind each variance of the noise
 inline constexpr double prior_gain_sd = 0.005;    ///< run-to-run, relative
 inline constexpr double prior_offset_sd = 0.002;  ///< run-to-run, relative to the deepest point
 inline constexpr double prior_drift_sd = 0.002;   ///< slow, relative to the run's largest force, falling as 1/order
-inline constexpr double form_sd = 0.01;           ///< of the elastic curve's own error, linear and quadratic in depth, relative
+inline constexpr double prior_lateral_sd = 0.005; ///< run-to-run, of lateral over axial force
+inline constexpr double form_sd = 0.005;          ///< of the elastic curve's own error, linear and quadratic in depth, and from tool to tool, relative
+inline constexpr double form_depth_sd = 0.002;    ///< of the same in depth, relative to the deepest point
 
 /// All of them, by name.
 Json as_json();

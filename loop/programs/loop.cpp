@@ -7,7 +7,9 @@
 #include <loop/forward/register.hpp>
 #include <loop/forward/solved_curves.hpp>
 #include <loop/methods/thresholds.hpp>
+#include <loop/report/case_file.hpp>
 #include <loop/report/report.hpp>
+#include <loop/set/thinned.hpp>
 
 #include <chrono>
 
@@ -37,6 +39,7 @@ loop::Set sound_set(Command& c) {
   if (!list.empty())
     throw Failure(ExitCode::check_failed, "the set is not fit for the loop: " + list.front().substr(list.front().find(": ") + 2),
                   list.front().substr(0, list.front().find(": ")), rest.empty() ? "" : "correct this first" + rest);
+  loop::thin(set);
   return set;
 }
 
@@ -90,6 +93,96 @@ void run_of_fit(Command& c) {
   c.print(loop::parameters_json(session, session.null).dump(2));
 }
 
+void forward_option(Usage& u, const char* usual) {
+  u.choice("forward", usual, {"auto", "closed", "solver"},
+           "elastic curves: closed forms, or one run of palpate-solve per tool and place; auto: the solver where it can");
+}
+void null_sets_option(Usage& u) {
+  u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
+}
+
+/// A set searched by closed forms.
+struct Searched {
+  loop::Session session;
+  loop::Finding finding;
+};
+Searched searched(Command& c, const loop::Set& set) {
+  Searched s{loop::prepared(set), {}};
+  s.session.threads = c.threads();
+  s.finding = loop::search(s.session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
+  return s;
+}
+
+void usage_of_diagnose(Usage& u) {
+  u.name = "diagnose";
+  u.sentence = "Finds where the misfit lives and what may be missing, as JSON, and leaves the sealed runs sealed.";
+  u.details = "Closed forms only. It prints the verdict on the fitted runs, the table of residuals before and after, and every candidate with its reason.";
+  set_input(u);
+  null_sets_option(u);
+}
+void run_of_diagnose(Command& c) {
+  const loop::Set set = sound_set(c);
+  const Searched s = searched(c, set);
+  c.print(loop::diagnosis_json(s.session, s.finding).dump(2));
+}
+
+void usage_of_add(Usage& u) {
+  u.name = "add";
+  u.sentence = "Writes the case of palpate-solve with the missing effect added and everything fitted anew.";
+  u.details = "Without --effect the effects of the verdict (or of the ranking) are added. A simple shape's mesh is not written: palpate-loop run solves it by itself.";
+  set_input(u);
+  u.output("case", "case.toml", "the case with the effect in it");
+  u.text("effect", "", "an effect of the catalogue instead of the verdict's");
+  null_sets_option(u);
+}
+void run_of_add(Command& c) {
+  const loop::Set set = sound_set(c);
+  loop::Fit fit;
+  std::unique_ptr<Searched> s;
+  if (c.text("effect").empty()) {
+    s = std::make_unique<Searched>(searched(c, set));
+    fit = s->finding.final;
+  } else {
+    s = std::make_unique<Searched>(Searched{loop::prepared(set), {}});
+    fit = loop::fit_with(s->session, c.text("effect"));
+  }
+  const std::string text = loop::case_file(s->session, fit.model);
+  if (text.empty()) throw Failure(ExitCode::refused, "homogeneous tests have no case to press", set.file.string(), "palpate-loop run reports the law");
+  write_text(c.output("case"), text);
+  c.print(loop::parameters_json(s->session, fit).dump(2));
+}
+
+int earlier_looks(const fs::path& report) { return fs::exists(report) ? read_json(report).value("sealed_looks", 0) : 0; }
+
+void usage_of_validate(Usage& u) {
+  u.name = "validate";
+  u.sentence = "Opens the sealed runs and tells the error before and after on them; every further look into the same file is counted.";
+  set_input(u);
+  u.output("validation", "validation.json", "errors before and after by run, and how often the sealed runs were looked at");
+  null_sets_option(u);
+}
+void run_of_validate(Command& c) {
+  const loop::Set set = sound_set(c);
+  if (std::none_of(set.runs.begin(), set.runs.end(), [](const loop::Run& r) { return r.role == loop::Role::holdout; }))
+    throw Failure(ExitCode::refused, "no sealed run", set.file.string(), "role = \"holdout\" for at least one run");
+  const Searched s = searched(c, set);
+  const Json json = loop::validation_json(s.session, s.finding, earlier_looks(c.final_output("validation")));
+  write_json(c.output("validation"), json);
+  c.print(json.dump(2));
+}
+
+void usage_of_plan(Usage& u) {
+  u.name = "plan";
+  u.sentence = "Prints the next experiments, the cheapest first: what separates what is left, then what this protocol cannot see, as JSON.";
+  set_input(u);
+  null_sets_option(u);
+}
+void run_of_plan(Command& c) {
+  const loop::Set set = sound_set(c);
+  const Searched s = searched(c, set);
+  c.print(loop::plan_json(s.session, s.finding).dump(2));
+}
+
 void usage_of_run(Usage& u) {
   u.name = "run";
   u.sentence = "Closes the loop: finds the residual, names the effect the model lacks, adds it, and reports the error before and after.";
@@ -98,15 +191,9 @@ void usage_of_run(Usage& u) {
       "further look at them through the same folder is counted. The verdict is one of claimed, confounded, unexplained, nothing_supported,\n"
       "ranking_only; the exit code is 0 for each.";
   set_input(u);
-  u.output("result", "loop", "report.json, and curves.csv: every run measured, before and after", ArgumentKind::folder);
-  u.choice("forward", "auto", {"auto", "closed", "solver"},
-           "elastic curves: closed forms, or one run of palpate-solve per tool and place; auto: the solver where it can");
-  u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
-}
-
-int earlier_looks(const fs::path& result) {
-  const fs::path report = result / "report.json";
-  return fs::exists(report) ? read_json(report).value("sealed_looks", 0) : 0;
+  u.output("result", "loop", "report.json; curves.csv: every run measured, before and after; case.toml: the case with the effect added", ArgumentKind::folder);
+  forward_option(u, "auto");
+  null_sets_option(u);
 }
 
 /// The sites' curves, or none: with auto a solver that is missing or fails leaves the closed forms, and says so.
@@ -144,7 +231,7 @@ void run_of_run(Command& c) {
   });
   session.threads = c.threads();
   loop::Finding finding = loop::search(session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
-  Json report = loop::report_json(session, finding, earlier_looks(c.final_output("result")));
+  Json report = loop::report_json(session, finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
   report["solves"] = curves.size();
   report["solved_curves"] = solves_json(curves);
@@ -153,13 +240,14 @@ void run_of_run(Command& c) {
   report["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_json(c.output("result") / "report.json", report);
   write_text(c.output("result") / "curves.csv", loop::curves_csv(session, finding));
+  if (const std::string text = loop::case_file(session, finding.final.model); !text.empty()) write_text(c.output("result") / "case.toml", text);
   c.note("verdict", report["verdict"]);
   c.print(report["verdict"]["sentence"].get<std::string>());
 }
 
 int unknown(const std::string& word, const std::vector<std::string>&) {
   throw Failure(ExitCode::misuse, "unknown command: " + word, "",
-                "did you mean " + nearest_name(word, {"check", "noise", "blindspots", "fit", "run", "--help", "--version", "--describe", "--xml", "--catalogue"}) +
+                "did you mean " + nearest_name(word, {"check", "noise", "blindspots", "fit", "diagnose", "add", "validate", "plan", "run", "--help", "--version", "--describe", "--xml", "--catalogue"}) +
                     "? palpate-loop --help lists the commands");
 }
 
@@ -173,6 +261,7 @@ int main(int argc, char** argv) {
   group.catalogue = catalogue;
   return run_group(argc, argv, group,
                    {{usage_of_check, run_of_check}, {usage_of_noise, run_of_noise}, {usage_of_blindspots, run_of_blindspots},
-                    {usage_of_fit, run_of_fit}, {usage_of_run, run_of_run}},
+                    {usage_of_fit, run_of_fit}, {usage_of_diagnose, run_of_diagnose}, {usage_of_add, run_of_add},
+                    {usage_of_validate, run_of_validate}, {usage_of_plan, run_of_plan}, {usage_of_run, run_of_run}},
                    unknown);
 }

@@ -22,11 +22,11 @@ double noise_floor(const Session& s) {
   return std::sqrt(sum / std::max(count, 1));
 }
 
-ErrorOf error_of(const Session& s, const Model& model, Role role) {
+ErrorOf error_of(const Session& s, const Model& model, Role role, const std::string& only) {
   std::vector<double> square, percent_square;
   for (std::size_t r = 0; r < s.set->runs.size(); ++r) {
     const Run& run = s.set->runs[r];
-    if (run.role != role) continue;
+    if (run.role != role || (!only.empty() && run.id != only)) continue;
     const VectorXd left = s.forward->measured(r) - s.forward->predicted(r, model);
     const double largest = std::max(s.forward->measured(r).cwiseAbs().maxCoeff(), 1e-12);
     square.push_back(left.squaredNorm() / left.size());

@@ -12,8 +12,8 @@ struct ErrorOf {
   int runs = 0;
 };
 
-/// Over runs of a role, each weighing the same; `noise_N` is the rms of the noise model.
-ErrorOf error_of(const Session& session, const Model& model, Role role);
+/// Over runs of a role (or `only` one), each weighing the same; `noise_N` is the rms of the noise model.
+ErrorOf error_of(const Session& session, const Model& model, Role role, const std::string& only = "");
 
 /// Rows of residuals: by run and phase, by phase, by rate, by depth, by cycle; each with blocks, mean and rms in N, χ²/n and the lag-1
 /// correlation of whitened residuals, Ljung and Box' Q over five lags (1978, Biometrika 65:297) and the runs test's z (Wald and Wolfowitz 1940).

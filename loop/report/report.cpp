@@ -101,6 +101,11 @@ Json parameters_json(const Session& s, const Fit& fit) {
     const FitParameter& p = parameters[i];
     const double sd = std::sqrt(std::max(fit.covariance(i, i), 0.0)), x = p.coordinate();
     const auto value = [&](double at) { return p.logarithmic ? std::exp(std::clamp(at, -60.0, 60.0)) : at; };
+    if (p.told_inverse && *p.value > 0) {  // a limit
+      const double low = std::max(x - 1.96 * sd, 1e-12), high = x + 1.96 * sd;
+      list.push_back({{"name", p.name}, {"value", 1 / *p.value}, {"unit", unit_in(s, "N")}, {"interval", {1 / high, 1 / low}}, {"range", {nullptr, nullptr}}, {"source", "fit"}});
+      continue;
+    }
     list.push_back({{"name", p.name}, {"value", *p.value}, {"unit", unit_in(s, p.unit)},
                     {"interval", {std::max(value(x - 1.96 * sd), p.low), std::min(value(x + 1.96 * sd), p.high)}},
                     {"range", {finite_or_null(p.low), finite_or_null(p.high)}},
@@ -134,6 +139,9 @@ std::string sentence(const Session& s, const Finding& f) {
     case VerdictKind::claimed: return "The model lacks " + told(f, f.alternatives.front()) + "." + errors;
     case VerdictKind::confounded: return "The model lacks one of these, which this data cannot tell apart: " + joined(sets, "or") + "." + errors;
     case VerdictKind::unexplained:
+      if (!f.oddities.empty())
+        return "The measurements show what no effect of the catalogue does: " + f.oddities.front().told + "." +
+               (sets.empty() ? std::string() : " The nearest effect is " + sets.front() + ", which is not claimed.") + " The error is " + percent(after.percent) + " of the largest force.";
       return "The measurements differ from the model by more than noise, and nothing in the catalogue explains it" +
              (sets.empty() ? std::string(".") : "; nearest is " + sets.front() + ".") + " The error is " + percent(after.percent) + " of the largest force.";
     case VerdictKind::nothing_supported: return "The model agrees with the measurements: no missing effect is supported. The error is " + percent(before.percent) + " of the largest force.";
@@ -143,8 +151,51 @@ std::string sentence(const Session& s, const Finding& f) {
   return "";
 }
 
-Json report_json(const Session& s, const Finding& f, int looks) {
+Json oddities_json(const Finding& f) {
+  Json list = Json::array();
+  for (const Oddity& o : f.oddities)
+    list.push_back({{"kind", o.kind}, {"run", o.run}, {"size", o.size}, {"t_s", o.t_s}, {"u_mm", o.u_mm}, {"frequency_Hz", o.frequency_Hz},
+                    {"strength", o.strength}, {"told", o.told}});
+  return list;
+}
+
+Json verdict_json(const Session& s, const Finding& f) {
   const bool names_effects = f.kind == VerdictKind::claimed || f.kind == VerdictKind::confounded;
+  return {{"kind", kind_name(f.kind)}, {"effects", names_effects ? Json(f.alternatives.front()) : Json::array()}, {"alternatives", f.alternatives},
+          {"distance", f.alternative_distance}, {"sentence", sentence(s, f)}};
+}
+
+Json diagnosis_json(const Session& s, const Finding& f) {
+  return {{"verdict", verdict_json(s, f)}, {"residuals", {{"before", residual_table(s, f.reported_before)}, {"after", residual_table(s, f.reported_after)}}},
+          {"candidates", candidates_json(f)}, {"oddities", oddities_json(f)}, {"parameters", parameters_json(s, f.final)}, {"sealed_looks", 0}};
+}
+
+Json validation_json(const Session& s, const Finding& f, int looks) {
+  Json runs = Json::array();
+  for (const Run& run : s.set->runs)
+    if (run.role == Role::holdout) {
+      const auto of = [&](const Model& model) { return error_json(error_of(s, model, Role::holdout, run.id)); };
+      runs.push_back({{"run", run.id}, {"before", of(f.reported_before)}, {"after", of(f.reported_after)}});
+    }
+  return {{"schema", "palpate-loop-validation/1"}, {"verdict", verdict_json(s, f)}, {"before", error_json(error_of(s, f.reported_before, Role::holdout))},
+          {"after", error_json(error_of(s, f.reported_after, Role::holdout))}, {"runs", runs}, {"noise_floor", noise_floor(s)}, {"sealed_looks", looks + 1}};
+}
+
+Json plan_json(const Session& s, const Finding& f) {
+  Json list = Json::array();
+  if (const Json first = next_experiment(s, f); !first.is_null()) list.push_back(first);
+  std::vector<const Effect*> unseen;
+  for (const BlindSpot& b : f.blind_spots)
+    if (!b.visible || !b.like.empty()) unseen.push_back(f.candidates[b.candidate].effect);
+  for (const Candidate& c : f.candidates)
+    if (!c.pruned.empty() && c.effect->absent.empty()) unseen.push_back(c.effect);
+  std::stable_sort(unseen.begin(), unseen.end(), [](const Effect* a, const Effect* b) { return a->cost < b->cost; });
+  for (const Effect* e : unseen)
+    if (!e->separates.empty()) list.push_back({{"run", e->separates}, {"why", "it would show " + e->entry.name + ", which this protocol cannot see or tell from others"}, {"cost", e->cost}});
+  return list;
+}
+
+Json report_json(const Session& s, const Finding& f, int looks) {
   Json json;
   json["unit"] = unit_in(s, "N");
   json["schema"] = "palpate-loop-report/1";
@@ -154,11 +205,7 @@ Json report_json(const Session& s, const Finding& f, int looks) {
     json["laws_tried"] = Json::array();
     for (const LawTried& l : s.laws) json["laws_tried"].push_back({{"law", l.law}, {"left_out_excess", l.left_out_error}});
   }
-  json["verdict"] = {{"kind", kind_name(f.kind)},
-                     {"effects", names_effects ? Json(f.alternatives.front()) : Json::array()},
-                     {"alternatives", f.alternatives},
-                     {"distance", f.alternative_distance},
-                     {"sentence", sentence(s, f)}};
+  json["verdict"] = verdict_json(s, f);
   json["error"] = {{"before", errors_json(s, f.reported_before)}, {"after", errors_json(s, f.reported_after)}};
   json["sealed_looks"] = error_of(s, s.null.model, Role::holdout).runs > 0 ? looks + 1 : 0;
   json["parameters"] = parameters_json(s, f.final);
@@ -175,6 +222,8 @@ Json report_json(const Session& s, const Finding& f, int looks) {
   json["thresholds"] = thresholds::as_json();
   json["thresholds_hash"] = thresholds::hash();
   json["remarks"] = remarks(*s.set);
+  for (const std::string& remark : f.remarks) json["remarks"].push_back(remark);
+  json["oddities"] = oddities_json(f);
   return json;
 }
 

@@ -15,6 +15,12 @@ Json parameters_json(const Session& session, const Fit& fit);
 Json next_experiment(const Session& session, const Finding& finding);
 /// The verdict in one sentence a surgeon understands.
 std::string sentence(const Session& session, const Finding& finding);
+/// What the fitted runs alone say: verdict, residuals before and after, candidates. Sealed runs stay sealed.
+Json diagnosis_json(const Session& session, const Finding& finding);
+/// Errors before and after on the sealed runs, together and by run.
+Json validation_json(const Session& session, const Finding& finding, int looks);
+/// Experiments, the cheapest first.
+Json plan_json(const Session& session, const Finding& finding);
 /// Everything; opens the sealed runs, of which `looks` says how often this happened in this folder before.
 Json report_json(const Session& session, const Finding& finding, int looks);
 /// curves.csv: run, role, t, u, phase, measured, before, after, noise of every block.

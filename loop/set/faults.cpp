@@ -147,6 +147,9 @@ std::vector<std::string> remarks(const Set& set) {
     list.push_back("no replicates: the loop can rank effects but claims none; repeat a run and give both the same replicate");
   if (air == 0 && set.sensor_sd_N.state != Known::State::given) list.push_back("no air run: the sensor's noise is taken from the runs' own fast fluctuations");
   if (sealed == 0) list.push_back("no sealed run (role = \"holdout\"): error after is told on fit runs only");
+  for (const Run& run : set.runs)
+    if (!run.unused.empty()) list.push_back("run " + run.id + " is not used: " + run.unused);
+  for (const std::string& key : set.unknown_keys) list.push_back(key + ": the loop does not know this key and reads over it");
   if (fit == 0) list.push_back("no run to fit (role = \"fit\")");
   return list;
 }

@@ -1,6 +1,7 @@
 // Reading set.toml: specimen, rig, tools, noise, runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <numeric>
 
 #include <palpate/errors.hpp>
 #include <palpate/settings.hpp>
@@ -126,7 +127,43 @@ void read_columns(const Settings& s, Run& run) {
     for (double c : table.numbers("cycle", table.unit.at("cycle"))) run.cycle.push_back(static_cast<int>(c));
 }
 
-Run read_run(const Settings& s, const Set& set, int number) {
+int edits(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int corner = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int changed = corner + (a[i] != b[j]);
+      corner = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// Keys that nobody asks for are read over and told, unless they look like a misspelt one of `known`.
+void read_over(const Settings& s, const std::vector<std::string>& known, Set& set) {
+  static const std::vector<std::string> elsewhere = {"id", "gauge_length_mm", "area_mm2", "width_mm", "thickness_mm", "temperature_degC", "control", "note", "site"};
+  for (const std::string& key : s.keys()) {
+    const auto near = [&](const std::string& name) { return edits(key, name) <= 2; };
+    if (std::any_of(known.begin(), known.end(), near) || std::any_of(elsewhere.begin(), elsewhere.end(), near)) continue;
+    s.has(key);
+    set.unknown_keys.push_back(s.where(key) + ": " + key);
+  }
+}
+
+/// Tools that no closed form knows.
+void mark_unusable(Set& set) {
+  for (Run& run : set.runs) {
+    if (run.test != Test::indentation || run.is_air() || run.is_block() || !set.specimen.case_file.empty()) continue;
+    const std::string& kind = set.tools.at(run.tool).kind;
+    if (kind == "ball" || kind.starts_with("flat")) continue;
+    run.role = Role::calibration;
+    run.unused = "a closed form is known for a ball and a flat punch, not for the tool \"" + kind + "\"";
+  }
+}
+
+Run read_run(const Settings& s, Set& set, int number) {
   Run run;
   run.file = set.file.parent_path() / s.text("file");
   run.id = s.text("id", run.file.stem().string());
@@ -142,6 +179,7 @@ Run read_run(const Settings& s, const Set& set, int number) {
   }
   run.order = static_cast<int>(s.integer("order", number, {0, 1e6}));
   run.rest_before_s = s.real("rest_before_s", 0, {0, 1e9});
+  run.turn_deg = s.real("turn_deg", 0, {-360, 360});
   run.rate_mm_s = s.real("rate_mm_s", 0, {0, 1e6});
   run.replicate = s.text("replicate", "");
   for (const char* remark : {"control", "note", "site"}) s.has(remark);
@@ -149,6 +187,7 @@ Run read_run(const Settings& s, const Set& set, int number) {
     const std::string role = s.choice("role", {"fit", "holdout", "calibration"});
     run.role = role == "fit" ? Role::fit : role == "holdout" ? Role::holdout : Role::calibration;
   }
+  read_over(s, {"rest_before_s", "replicate", "rate_mm_s", "zero_sd_mm", "point_mm", "axis", "zero", "tool", "order", "role", "file", "test", "turn_deg"}, set);
   read_columns(s, run);
   if (run.phase.empty()) run.phase = derived_phases(run);
   if (run.is_air() || run.is_block()) run.role = Role::calibration;
@@ -192,6 +231,7 @@ Set read_set(const std::filesystem::path& path) {
     throw Failure(ExitCode::misuse, "an indentation of a specimen without shape", s.where("specimen"),
                   "[specimen] case = \"case.toml\", or shape = \"block\" and its size");
   s.expect_all_read();
+  mark_unusable(set);
   return set;
 }
 

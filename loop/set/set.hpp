@@ -1,6 +1,7 @@
 // A measured set: specimen, rig, tools and runs, as set.toml and its CSV files say it (schema palpate-set/1).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -55,8 +56,17 @@ struct Run {
   std::vector<std::string> phase;  ///< of each sample: as written, or derived from u
   std::vector<int> cycle;
   std::vector<int> line;           ///< of each sample, in the file
-  bool is_air() const { return !phase.empty() && phase.front() == "air"; }
-  bool is_block() const { return !phase.empty() && phase.front() == "block"; }
+  double turn_deg = 0;             ///< of the tool about its own axis
+  std::vector<double> averaged;    ///< samples of the file behind each of ours (thinned)
+  double fast_sd_N = 0;            ///< of one sample of the file
+  std::string unused;              ///< why the loop cannot use it; empty: it can
+  bool is_air() const { return all_are("air"); }
+  bool is_block() const { return all_are("block"); }
+
+ private:
+  bool all_are(const char* name) const {
+    return !phase.empty() && std::all_of(phase.begin(), phase.end(), [&](const std::string& p) { return p == name; });
+  }
 };
 
 struct Set {
@@ -67,6 +77,7 @@ struct Set {
   Known sensor_sd_N;  ///< absent: from air
   std::map<std::string, Tool> tools;
   std::vector<Run> runs;
+  std::vector<std::string> unknown_keys;  ///< "set.toml:12: key", read over
 };
 
 std::string test_name(Test test);

@@ -62,3 +62,28 @@ assert one["verdict"]["kind"] == "nothing_supported" and one["verdict"]["effects
 mu = next(p for p in one["parameters"] if p["name"] == "mu")
 assert mu["interval"][0] < 0.01 < mu["interval"][1], mu  # what the maker used
 P
+
+# The parts of the loop, one by one: diagnose leaves the sealed run sealed, validate counts its looks, add writes a case, plan tells what to do next.
+python3 "$make" --protocol short --effect prony --seed 4 relaxes
+"$bin/palpate-loop" diagnose relaxes/set.toml --quiet --null-sets 200 >diagnosis.json
+"$bin/palpate-loop" validate relaxes/set.toml validation.json --quiet --null-sets 200 >/dev/null
+"$bin/palpate-loop" validate relaxes/set.toml validation.json --quiet --null-sets 200 --force >/dev/null
+"$bin/palpate-loop" add relaxes/set.toml case.toml --effect prony --quiet >/dev/null
+"$bin/palpate-loop" plan good/set.toml --quiet --null-sets 200 >plan.json
+python3 - <<'P'
+import json, tomllib
+
+d, v, plan = (json.load(open(f"{name}.json")) for name in ("diagnosis", "validation", "plan"))
+assert d["verdict"]["effects"] == ["prony"] and d["sealed_looks"] == 0 and "holdout" not in json.dumps(d), d["verdict"]
+assert v["sealed_looks"] == 2 and v["after"]["N"] < 0.5 * v["before"]["N"], v
+assert [r["run"] for r in v["runs"]] == ["h01"], v["runs"]
+case = tomllib.load(open("case.toml", "rb"))
+assert case["effect"][0]["name"] == "prony" and case["material"]["law"] == "neo_hookean", case
+assert plan and all("run" in p and "why" in p for p in plan) and [p["cost"] for p in plan] == sorted(p["cost"] for p in plan), plan
+P
+got=0
+"$bin/palpate-loop" add relaxes/set.toml other.toml --effect prnoy 2>message || got=$?
+[ $got -eq 2 ] && grep -q 'did you mean prony' message || { echo "a misspelt effect is not told: $got" >&2; exit 1; }
+# A key the loop does not know is read over and told.
+sed 's/^order = 1$/order = 1\nweather = "fair"/' relaxes/set.toml >relaxes/odd.toml
+"$bin/palpate-loop" check relaxes/odd.toml | grep -q 'weather: the loop does not know this key' || { echo "an unknown key is not told" >&2; exit 1; }

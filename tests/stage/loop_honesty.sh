@@ -42,6 +42,64 @@ r = report("hums")
 assert r["verdict"]["kind"] == "unexplained" and r["verdict"]["effects"] == [], r["verdict"]
 P
 
+# Residuals shuffled within their runs, and replicates whose labels are swapped with runs of another kind, leave nothing to claim.
+python3 - <<'P'
+import csv, random, shutil
+
+rng = random.Random(7)
+shutil.copytree("relaxes", "shuffled", ignore=shutil.ignore_patterns("loop*"))
+blocks = {}
+for row in csv.DictReader(open("relaxes/loop/curves.csv")):
+    blocks.setdefault(row["run"], []).append(row)
+for run, rows in blocks.items():
+    left = [float(r["measured[N]"]) - float(r["before[N]"]) for r in rows]
+    rng.shuffle(left)
+    with open(f"shuffled/{run}.csv", "w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(["t[s]", "u[mm]", "F[N]"])
+        writer.writerows([r["t[s]"], r["u[mm]"], float(r["before[N]"]) + e] for r, e in zip(rows, left))
+P
+"$bin/palpate-loop" run shuffled/set.toml shuffled/loop --quiet --forward closed --null-sets 200 >/dev/null
+python3 "$make" --protocol battery --effect none --seed 8 swapped
+python3 - <<'P'
+text = open("swapped/set.toml").read()
+for run, group in (("r01", "g2"), ("r04", "g1"), ("r02", "g3"), ("r06", "g1")):
+    head, tail = text.split(f'id = "{run}"')
+    old = tail.split('replicate = "')[1].split('"')[0]
+    text = head + f'id = "{run}"' + tail.replace(f'replicate = "{old}"', f'replicate = "{group}"', 1)
+open("swapped/set.toml", "w").write(text)
+P
+"$bin/palpate-loop" run swapped/set.toml swapped/loop --quiet --forward closed --null-sets 200 >/dev/null
+python3 - <<'P'
+import json
+
+for name in ("shuffled", "swapped"):
+    verdict = json.load(open(f"{name}/loop/report.json"))["verdict"]
+    assert verdict["effects"] == [] and verdict["kind"] in ("nothing_supported", "unexplained"), (name, verdict)
+P
+
+# Narrower protocols: what was cut off is not claimed. Without unloading, what needs it is not offered; without rest, the same relaxation is found.
+mkdir no_rest no_unload
+for run in r01 r02 r03 h01; do
+  awk -F, 'NR==1 || $1<17' relaxes/$run.csv >no_rest/$run.csv   # ramp, hold, unload
+  awk -F, 'NR==1 || $1<13' relaxes/$run.csv >no_unload/$run.csv # ramp, hold
+done
+for name in no_rest no_unload; do
+  cp relaxes/set.toml $name/
+  "$bin/palpate-loop" run $name/set.toml $name/loop --quiet --forward closed --null-sets 200 >/dev/null
+done
+python3 - <<'P'
+import json
+
+for name in ("no_rest", "no_unload"):
+    r = json.load(open(f"{name}/loop/report.json"))
+    assert r["verdict"]["kind"] in ("claimed", "confounded") and ["prony"] in r["verdict"]["alternatives"], (name, r["verdict"])
+    if name == "no_unload":
+        left_out = {c["effect"]: c["reason"] for c in r["candidates"] if c["step"] == 0}
+        for effect in ("friction", "mullins", "permanent_set", "adhesion", "backlash"):
+            assert left_out[effect] == "no run unloads", left_out
+P
+
 # A ramp without unloading cannot show what needs one.
 awk -F, -v OFS=, 'NR==1 || $1<4' alone/r01.csv >cut.csv && mv cut.csv alone/r01.csv
 "$bin/palpate-loop" blindspots alone/set.toml >spots.json

@@ -1,0 +1,175 @@
+# Forces of a pressed layer with an effect in it, by another route than the loop's: Garcia and Garcia's 2018 layer series (Dimitriadis et al. 2002
+# for its Poisson's ratio), annuli of equal width in contact radius, backward Euler, Ogden-Roxburgh per annulus, tables instead of springs.
+# SPDX-License-Identifier: GPL-3.0-or-later
+import math
+
+MU, HEIGHT = 0.01, 20.0  # MPa, mm
+
+
+def layer(radius, depth, height):
+    """Garcia and Garcia 2018, Biophys. J. 114:2923, eq. 12: ball, bonded, incompressible layer."""
+    chi = math.sqrt(radius * depth) / height
+    return 1 + 1.133 * chi + 1.497 * chi**2 + 1.469 * chi**3 + 0.755 * chi**4
+
+
+def dimitriadis(radius, depth, height, nu):
+    """Dimitriadis et al. 2002, Biophys. J. 82:2798, eq. 12: bonded layer over a half-space of the same shear modulus, over 1/(1 - nu)."""
+    chi = math.sqrt(radius * depth) / height
+    a = -(1.2876 - 1.4678 * nu + 1.3442 * nu**2) / (1 - nu)
+    b = (0.6387 - 1.0277 * nu + 1.5164 * nu**2) / (1 - nu)
+    p = math.pi
+    series = 1 - 2 * a / p * chi + 4 * a * a / p**2 * chi**2 - 8 / p**3 * (a**3 + 4 * p**2 / 15 * b) * chi**3
+    return (series + 16 * a / p**4 * (a**3 + 3 * p**2 / 5 * b) * chi**4) / (1 - nu)
+
+
+def large_strain(x):
+    """Lin, Dimitriadis and Horkay 2009: neo-Hookean over Hertz; x = a/R."""
+    return (x * x / 75 - x / 5 + 1) / (x * x / 25 - 2 * x / 5 + 1)
+
+
+def elastic(depth, run, knobs):
+    if depth <= 0:
+        return 0.0
+    radius, height = run["radius"], HEIGHT * (1 + knobs.get("thickness", 0))
+    a = math.sqrt(radius * depth)
+    x = a / radius
+    force = 16 / 3 * MU * a * depth * layer(radius, depth, height) * large_strain(x)
+    if knobs.get("compressibility"):
+        force *= dimitriadis(radius, depth, height, 0.5 - knobs["compressibility"]) / dimitriadis(radius, depth, height, 0.5)
+    force *= math.exp(knobs.get("stiffening", 0) * (x**3 - 15 * x * x) / (25 * x - 125))
+    if knobs.get("inclusion") and run["point"] == (25, 0):
+        force *= 1 + knobs["inclusion"] * (a * a / (a * a + 36)) ** 1.5
+    return force + knobs.get("prestress", 0) * 3 * depth + knobs.get("capsule", 0) * depth**2 / radius
+
+
+def path(run, step):
+    """Times and depths of a run's programme."""
+    kind, rate, depth = run["kind"], run["rate"], run["depth"]
+    shares = {"short": (1, 1), "long": (1, 1, 1), "growing": (0.4, 0.7, 1), "retract": (1,), "air": (1,)}[kind]
+    points = [(0.0, 0.0)]
+    for share in shares:
+        t, ramp = points[-1][0], share * depth / rate
+        points += [(t + ramp, share * depth), (t + ramp + 10, share * depth), (t + 2 * ramp + 10, 0.0), (t + 2 * ramp + (30 if kind == "growing" else 20), 0.0)]
+    if kind == "retract":
+        points = points[:-1] + [(points[-2][0] + 1.5 / rate, -1.5)]
+    if kind == "air":
+        points = [(t, d - depth - 5) for t, d in points]
+    times, depths, i = [], [], 0
+    for k in range(int(points[-1][0] / step + 1e-9) + 1):
+        t = k * step
+        while i + 2 < len(points) and t > points[i + 1][0]:
+            i += 1
+        (t0, d0), (t1, d1) = points[i], points[i + 1]
+        times.append(t)
+        depths.append(d0 + (d1 - d0) * min(max((t - t0) / (t1 - t0), 0), 1))
+    return times, depths
+
+
+def relaxed(times, depths, run, knobs):
+    """Elastic, then with memory. Prony: every increment of an annulus relaxes for itself, on annuli of equal width in a (not in depth)."""
+    g, tau = knobs.get("prony", 0), knobs.get("tau", 5.0)
+    inverse_r, width, kept_set = knobs.get("mullins", 0), knobs.get("mullins_m", 0.35) * knobs["scale"], knobs.get("permanent_set", 0)
+    deepest = max(max(depths) * 1.01, 1e-6)
+    count = 90 if g or inverse_r or kept_set else 600
+    edges = [deepest * (i / count) ** 2 for i in range(count + 1)]  # equal steps of contact radius
+    forces = [elastic(e, run, knobs) for e in edges]
+    if count == 600:  # a table of the elastic curve, at the middle of each interval
+        def read(d):
+            x = math.sqrt(max(d, 0) / deepest) * count
+            i = min(int(x), count - 1)
+            return forces[i] + (forces[i + 1] - forces[i]) * (d - edges[i]) / (edges[i + 1] - edges[i]) if d > 0 else 0.0
+        return [read(d) for d in depths]
+    slopes = [(forces[i + 1] - forces[i]) / (edges[i + 1] - edges[i]) for i in range(count)]
+    weights = [slopes[0]] + [slopes[i] - slopes[i - 1] for i in range(1, count)]
+    stretch, dash, top = [0.0] * count, [0.0] * count, [0.0] * count
+    out, before, reached = [], times[0], 0
+    for t, depth in zip(times, depths):
+        kept, total = 1 / (1 + (t - before) / tau), 0.0  # backward Euler, where the loop is exponential
+        while reached < count and edges[reached] < depth:
+            reached += 1
+        for i in range(reached):
+            e = depth - edges[i]
+            moved = kept * (dash[i] + e - stretch[i])
+            f, high = (1 - g) * e + g * moved, max(top[i], e)
+            lost = inverse_r * math.erf((high**2 - e * e) / (2 * width * width)) if inverse_r and e > 0 else 0
+            p = kept_set * high
+            f = f * (1 - lost) - p
+            if f <= 0:
+                e = (p + g * kept * (stretch[i] - dash[i])) / (1 - g + g * kept)
+                dash[i] = kept * (dash[i] + e - stretch[i])
+                stretch[i] = e
+                continue
+            dash[i], stretch[i], top[i] = moved, e, high
+            total += weights[i] * f
+        out.append(total)
+        before = t
+    return out
+
+
+def given_way(depths, run, knobs):
+    """Depth read to true depth through play, offset, breathing and a series compliance (bisection on the elastic curve)."""
+    depths = [d + knobs.get("contact_offset", 0) for d in depths]
+    if knobs.get("backlash"):
+        at = 0.0
+        for i, d in enumerate(depths):
+            at = min(max(at, d), d + knobs["backlash"])
+            depths[i] = at
+    c = knobs.get("rig_compliance", 0) + knobs.get("support", 0)
+    if not c:
+        return depths
+    true = []
+    for d in depths:
+        low, high = min(d, 0.0), max(d, 0.0)
+        for _ in range(40 if d > 0 else 0):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if middle + c * elastic(middle, run, knobs) < d else (low, middle)
+        true.append(high if d > 0 else d)
+    return true
+
+
+def contact(times, depths, force, run, knobs):
+    """Friction with an arctangent slip law, a logarithmic rate, a sticky retract, and what no catalogue holds."""
+    step, radius = times[1] - times[0], run["radius"]
+    s, before, fresh = 0.0, 0.0, run["fresh"]
+    for i, d in enumerate(depths):
+        if knobs.get("friction"):
+            s = max(-1.0, min(1.0, s + (d - before) / (0.04 * max(d, before, 1e-9)))) if d > 0 else 0.0
+            force[i] *= 1 + 0.59 * knobs["friction"] * math.sqrt(max(d, 0) / radius) * math.tanh(1.5 * s) / math.tanh(1.5)
+        if knobs.get("rate") and i:
+            v = (d - before) / step / knobs["scale"]
+            force[i] *= 1 + knobs["rate"] * math.copysign(math.log1p(abs(v) / 0.01), v)
+        if knobs.get("adhesion") and i and d < before and max(depths[:i]) > 0.5 and -0.3 < d < 0.3:
+            force[i] -= knobs["adhesion"] * (1 - abs(d) / 0.3)
+        before = d
+        force[i] += knobs.get("hum", 0) * math.sin(2 * math.pi * 0.37 * times[i])
+        force[i] *= 1 + knobs.get("stick_slip", 0) * ((d / 0.7) % 1 - 0.5)
+        fresh = fresh and d <= 0.8 * knobs["scale"]  # punctured once, and from then on
+        force[i] *= 1 - (0 if fresh else knobs.get("puncture", 0))
+    return force
+
+
+def read_off(times, force, run, knobs):
+    """What the cell shows: gain, tare, drift since the run began, a late channel, an upper limit."""
+    step = times[1] - times[0]
+    force = [f * (1 + knobs.get("gain", 0)) * math.cos(knobs.get("tool_pose", 0)) + knobs.get("tare", 0) + knobs.get("drift", 0) * (t - times[0])
+             for f, t in zip(force, times)]
+    if knobs.get("lag"):
+        late, last = [force[0]], force[0]
+        for f in force[1:]:
+            y = late[-1]
+            for k in range(10):  # sub-steps of Euler, where the loop is exact
+                y += step / 10 / max(knobs["lag"], step / 10) * (last + (f - last) * (k + 1) / 10 - y)
+            late.append(y)
+            last = f
+        force = late
+    return [min(f, knobs["saturation"]) for f in force] if knobs.get("saturation") else force
+
+
+def force_of(times, read, run, knobs):
+    """Depth read to force read."""
+    if run["kind"] == "air":
+        return read_off(times, [0.0] * len(times), run, knobs)
+    depths = given_way(read, run, knobs)
+    if knobs.get("breathing"):
+        depths = [d + knobs["breathing"] * math.sin(2 * math.pi * 0.21 * t + run["order"]) for d, t in zip(depths, times)]
+    return read_off(times, contact(times, depths, relaxed(times, depths, run, knobs), run, knobs), run, knobs)

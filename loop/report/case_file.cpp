@@ -1,0 +1,105 @@
+// Text of the case. Strains of the loop are relative to the deepest point; the solver's are those of Hertz' representative strain 0.2 a/R there.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/report/case_file.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#include <palpate/text_file.hpp>
+
+namespace palpate::loop {
+namespace {
+
+/// The text without the tables that are written anew.
+std::string without(const std::string& text, const std::vector<std::string>& tables) {
+  std::istringstream in(text);
+  std::string kept;
+  bool keep = true;
+  for (std::string line; std::getline(in, line);) {
+    const auto first = line.find_first_not_of(" \t");
+    if (first != std::string::npos && line[first] == '[')
+      keep = std::none_of(tables.begin(), tables.end(), [&](const std::string& name) { return line.find(name) != std::string::npos; });
+    if (keep) kept += line + "\n";
+  }
+  return kept;
+}
+
+struct Parts {
+  std::ostringstream material, effects, tool, comments;
+};
+
+/// A law that a stiffening turns the null into, where the solver has it.
+bool write_stiffened(const Model& model, const Active& a, Parts& parts) {
+  const double mu = model.law->shear_modulus(model.parameters), e = a.amplitude;
+  if (model.law->name != "neo_hookean") return false;
+  switch (static_cast<int>(a.shape[0])) {
+    case 0: parts.material << "law = \"fung_demiray\"\nmu = " << mu << "\nb = " << e << "\n"; return e > 0;
+    case 1: parts.material << "law = \"mooney_rivlin\"\nC10 = " << mu / 2 * (1 - e / 100) << "\nC01 = " << mu / 2 * e / 100 << "\n"; return true;
+    case 2: parts.material << "law = \"yeoh\"\nC10 = " << mu / 2 << "\nC20 = " << mu * e << "\nC30 = 0.0\n"; return true;
+    case 3: parts.material << "law = \"yeoh\"\nC10 = " << mu / 2 << "\nC20 = 0.0\nC30 = " << mu * e << "\n"; return true;
+    default: parts.material << "law = \"ogden\"\nmu1 = " << mu << "\nalpha1 = " << 2 + e << "\n"; return true;
+  }
+}
+
+/// One effect: a table, a key of material or tool, or a comment. `strain` is the representative one at the deepest point.
+void write_effect(const Model& model, const Active& a, double strain, Parts& parts) {
+  const std::string& name = a.effect->entry.name;
+  const double mu = model.law->shear_modulus(model.parameters), e = a.amplitude;
+  if (name == "prony") {
+    parts.effects << "[[effect]]\nname = \"prony\"\ng = " << e << "\ntau_s = " << a.shape[0] << "\n";
+  } else if (name == "mullins") {  // ½ e² of a spring at the deepest point stands for the energy 3/2 μ ε²
+    parts.effects << "[[effect]]\nname = \"mullins\"\ninverse_r = " << e << "\nm = " << 2 * a.shape[0] * a.shape[0] * 1.5 * mu * strain * strain << "\n";
+  } else if (name == "rate") {
+    parts.effects << "[[effect]]\nname = \"rate\"\nm = " << e << "\nrate_0 = " << a.shape[0] * strain << "\n";
+  } else if (name == "permanent_set") {
+    parts.effects << "[[effect]]\nname = \"permanent_set\"\nfraction = " << e << "\nyield = " << a.shape[0] * strain << "\n";
+  } else if (name == "friction") {
+    parts.tool << "friction = " << e << "\n";
+  } else if (name == "compressibility" && e > 0) {
+    parts.material << "kappa = " << 2 * mu * (1.5 - e) / (3 * 2 * e) << "\n";
+  } else {
+    parts.comments << "# not in this case: " << name;
+    for (std::size_t i = 0; i < a.effect->entry.parameters.size(); ++i)
+      parts.comments << (i ? ", " : " with ") << a.effect->entry.parameters[i].name << " = " << (i ? a.shape[i - 1] : e) << " " << a.effect->entry.parameters[i].unit;
+    parts.comments << " (" << a.effect->entry.kind << ")\n";
+  }
+}
+
+}  // namespace
+
+std::string case_file(const Session& s, const Model& model) {
+  const Run* run = nullptr;
+  for (std::size_t r : s.problem.runs)
+    if (!run && s.set->runs[r].role == Role::fit && s.set->runs[r].test == Test::indentation) run = &s.set->runs[r];
+  if (!run) return "";
+  const Specimen& specimen = s.set->specimen;
+  const Tool& tool = s.set->tools.at(run->tool);
+  const double deepest = *std::max_element(run->u.begin(), run->u.end());
+  const double strain = 0.2 * std::sqrt(std::min(deepest / tool.radius_mm, 1.0));
+  Parts parts;
+  for (std::ostringstream* out : {&parts.material, &parts.effects, &parts.tool, &parts.comments}) out->precision(8);
+  bool law_written = false;
+  for (const Active& a : model.active)
+    if (a.effect->entry.name == "stiffening" && !law_written && write_stiffened(model, a, parts))
+      law_written = true;
+    else
+      write_effect(model, a, strain, parts);
+  if (!law_written) {
+    parts.material << "law = \"" << model.law->name << "\"\n";
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) parts.material << model.law->parameters[i].name << " = " << model.parameters[i] << "\n";
+    if (model.law->name.starts_with("hooke")) parts.material << "nu = 0.4999\n";
+  }
+  std::ostringstream out;
+  out.precision(8);
+  out << "# Written by palpate-loop: the set's specimen with what the loop found.\n" << parts.comments.str();
+  if (specimen.case_file.empty())
+    out << "schema = \"palpate-case/1\"\nmesh = \"mesh.vtu\"\n[base]\nlabel = \"base\"\n";
+  else
+    out << without(read_text(specimen.case_file), {"material", "effect", "tool", "steps"});
+  out << "[material]\n" << parts.material.str() << parts.effects.str() << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = ["
+      << run->point_mm[0] << ", " << run->point_mm[1] << ", " << run->point_mm[2] << "]\naxis = [" << run->axis[0] << ", " << run->axis[1] << ", " << run->axis[2]
+      << "]\n" << parts.tool.str() << "depth_mm = " << deepest << "\nspeed_mm_s = " << (run->rate_mm_s > 0 ? run->rate_mm_s : 1.0) << "\n[steps]\ncount = 20\n";
+  return out.str();
+}
+
+}  // namespace palpate::loop

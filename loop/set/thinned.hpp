@@ -1,0 +1,18 @@
+// Fast fluctuations of a run, and long runs averaged over neighbouring samples: forward models cost time per sample.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <loop/set/set.hpp>
+
+namespace palpate::loop {
+
+/// Standard deviation of one sample from fourth differences (median; blind to smooth curves), not below what the steps of a coarse
+/// converter hide (step/√12).
+double fast_sd(const std::vector<double>& values);
+
+/// First sample of each stretch of one phase, then the number of samples. Stretches under three samples join the one before.
+std::vector<int> stretches(const Run& run);
+
+/// Fills `averaged` and `fast_sd_N` of every run, and averages runs of more than 480 samples over equal groups that end where a phase does.
+void thin(Set& set);
+
+}  // namespace palpate::loop
