@@ -40,23 +40,25 @@ inline Response from_principal(const Mat3& F, const PrincipalStrain& strain, con
   const Eigen::Vector3d& x = strain.x;
   const Mat3 &N = strain.axes, f = F * N;  // columns: axes, and their images
   const Eigen::Vector3d S = stress.tau.cwiseQuotient(x);
-  Response r{stress.W, f * S.asDiagonal() * N.transpose(), Mat9::Zero()};
-  Vec9 fN[3][3];
+  Response r{stress.W, f * S.asDiagonal() * N.transpose(), {}};
+  // A = B M Bᵀ + geometric part: dyads of B are stretches 00, 11, 22, then shears 01, 02, 12; M couples the stretches alone.
+  Eigen::Matrix<double, 9, 6> B, MB;
+  const auto dyad = [&](int a, int b, int j) { return N(j, b) * f.col(a); };  // rows 3 j … 3 j + 2
+  for (int j = 0; j < 3; ++j) {
+    for (int a = 0; a < 3; ++a) B.block<3, 1>(3 * j, a) = dyad(a, a, j);
+    for (int a = 0, k = 3; a < 3; ++a)
+      for (int b = a + 1; b < 3; ++b, ++k) B.block<3, 1>(3 * j, k) = dyad(a, b, j) + dyad(b, a, j);
+  }
+  Mat3 M;
   for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) {
-      const Mat3 dyad = f.col(a) * N.col(b).transpose();
-      fN[a][b] = Eigen::Map<const Vec9>(dyad.data());
-    }
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b)
-      r.A += (stress.derivative(a, b) / (x(a) * x(b)) - 2 * (a == b) * S(a) / x(a)) * fN[a][a] * fN[b][b].transpose();
-  for (int a = 0; a < 3; ++a)
-    for (int b = a + 1; b < 3; ++b) {
+    for (int b = 0; b < 3; ++b) M(a, b) = stress.derivative(a, b) / (x(a) * x(b)) - 2 * (a == b) * S(a) / x(a);
+  MB.leftCols<3>() = B.leftCols<3>().lazyProduct(M);
+  for (int a = 0, k = 3; a < 3; ++a)
+    for (int b = a + 1; b < 3; ++b, ++k) {
       const double logarithm_over = 0.5 * log1p_over((x(b) - x(a)) / x(a));
-      const double shear = (stress.slope(a, b) * logarithm_over - stress.tau(a)) / (x(a) * x(b));
-      const Vec9 both = fN[a][b] + fN[b][a];
-      r.A += shear * both * both.transpose();
+      MB.col(k) = (stress.slope(a, b) * logarithm_over - stress.tau(a)) / (x(a) * x(b)) * B.col(k);
     }
+  r.A = MB.lazyProduct(B.transpose());
   const Mat3 geometric = N * S.asDiagonal() * N.transpose();
   for (int j = 0; j < 3; ++j)
     for (int l = 0; l < 3; ++l)
