@@ -74,7 +74,7 @@ std::vector<double> trouble_marks(const Model& model, const State& state, const 
   std::vector<double> of_node(model.points.size(), 0.0);
   for (const auto& tet : model.tets)
     if (std::count(tet.begin(), tet.end(), nearest))
-      for (int node : tet) of_node[node] = std::max(rules.finest_mm, longest_edge(model, state, tet) / 2);
+      for (int node : tet) of_node[node] = std::max(rules.finest_mm / 2, longest_edge(model, state, tet) / 2);
   return spread(model, state, of_node);
 }
 

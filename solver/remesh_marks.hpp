@@ -10,7 +10,7 @@ namespace palpate {
 /// [remesh] of a case.
 struct RemeshRules {
   double part_of_radius = 0.5;  ///< edges of faces that a tool touches are at most this part of the tool's radius of curvature there
-  double finest_mm = 0;         ///< no edge is asked to be shorter
+  double finest_mm = 0;         ///< no edge is asked to be shorter; half of it where a step stopped
   int most = 8;                 ///< remeshings in a run
   int most_nodes = 20000;       ///< a mesh of more is not made finer
 };

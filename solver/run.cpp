@@ -72,12 +72,15 @@ std::vector<std::string> Run::files() const {
   return files;
 }
 
+std::string Run::bytes() {
+  Archive archive;
+  keep(archive);
+  return archive.bytes();
+}
+
 void Run::save() {
-  restart_->write([this] {
-    Archive archive;
-    keep(archive);
-    return archive.bytes();
-  }, files());
+  if (case_->remesh) snapshot_ = bytes();
+  restart_->write([this] { return case_->remesh ? snapshot_ : bytes(); }, files());
 }
 
 /// Gravity first, without tools; then they come to where they touch the organ that has sagged.
@@ -112,10 +115,9 @@ std::string Run::remark(const Step& step) const {
 
 /// The last time was not reached: an error that helps, or a warning when the case asks for what there is.
 void Run::explain_stop() const {
-  const implicit::Trouble& trouble = equilibrium_->trouble();
   std::ostringstream what, where;
-  what << "stopped at " << time_ << " s of " << case_->steps.times.back() << " s, at depth " << results_.depth() << " mm: " << trouble.cause;
-  where << "near (" << trouble.place_mm.transpose() << ") mm of the organ at rest";
+  what << "stopped at " << time_ << " s of " << case_->steps.times.back() << " s, at depth " << results_.depth() << " mm: " << trouble_.cause;
+  where << "near (" << trouble_.place_mm.transpose() << ") mm of the organ at rest";
   if (!case_->keep_partial || !(time_ > 0))
     throw Failure(ExitCode::not_converged, what.str(), where.str(), "[steps] keep_partial = true delivers what was reached");
   command_.warn(what.str() + "; " + where.str());
@@ -135,12 +137,17 @@ void Run::judge(const Step& step) {
   pressing_.pause = !marks_.empty();
 }
 
-/// A step could not be made: finer where it stopped.
+/// A step could not be made: finer where it stopped, from the last reported step on. Nearer to where it stopped equilibrium is hard to find again.
 bool Run::mend() {
-  if (!may_remesh() || !(state_.time > 0)) return false;
-  marks_ = trouble_marks(case_->model, state_, equilibrium_->trouble().place_mm, *case_->remesh);
-  marked_force_ = std::nan("");  // the step has no row yet
-  return !marks_.empty() && remesh("a step stopped: " + equilibrium_->trouble().cause);
+  if (!may_remesh()) return false;
+  const int failed = failed_remeshings_;
+  Archive back(snapshot_);
+  keep(back);
+  failed_remeshings_ = failed;
+  pressing_.part = 0.5;
+  marks_ = trouble_marks(case_->model, state_, trouble_.place_mm, *case_->remesh);
+  marked_force_ = results_.force();
+  return !marks_.empty() && remesh("a step stopped: " + trouble_.cause);
 }
 
 void Run::give_up_mesh(const std::string& name, const std::string& why) {
@@ -204,7 +211,7 @@ void Run::go() {
       continue;
     }
     if (!(time_ < end)) break;
-    pressing_ = {pressing_.done, 0.25, 0};
+    trouble_ = equilibrium_->trouble();
     if (!mend()) break;
   }
   progress.finish();

@@ -27,6 +27,7 @@ class Run {
   void settle();
   void keep(Archive& archive);
   void save();
+  std::string bytes();
   void explain_stop() const;
   bool may_remesh() const;
   void judge(const implicit::Step& step);
@@ -48,9 +49,11 @@ class Run {
   implicit::Stride settling_, pressing_;  ///< of gravity's steps, and of the others
   bool settled_ = false;
   double time_ = 0;  ///< that was reached, s
+  implicit::Trouble trouble_;  ///< why no more
   std::optional<Restart> restart_;
   std::vector<double> marks_;             ///< of the next remeshing
   std::vector<std::string> meshes_;       ///< of the remeshings, from the folder; the last one is the case's
+  std::string snapshot_;                  ///< of the last reported step, to go back to; none without remeshing
   double marked_force_ = 0;               ///< before it, N
   int failed_remeshings_ = 0;
 };
