@@ -109,12 +109,25 @@ nanoseconds=$(($(date +%s%N) - start))
 bytes_of whole >whole.sums
 [ ! -e whole/restart.bin ] || fail "the delivered folder holds restart.bin"
 
-# killed_at <per cent> <case>: out/ unfinished.
+# killed_at <per cent> <case>: out/ unfinished; where it was done before, there is nothing.
 killed_at() {
   solve "$2" out >/dev/null 2>&1 &
   local pid=$!
   sleep "$(awk -v n=$nanoseconds -v p="$1" 'BEGIN { printf "%.3f", n * p / 1e11 }')"
   kill -9 $pid 2>/dev/null || true
+  wait $pid 2>/dev/null || true
+  rm -rf out out.card.json
+}
+
+# killed_midway <case>: out/ unfinished, with a restart file and two frames.
+killed_midway() {
+  solve "$1" out >/dev/null 2>&1 &
+  local pid=$!
+  for _ in $(seq 1200); do
+    if [ -f .partial-$pid-out/restart.bin ] && [ -f .partial-$pid-out/frames/frame_0001.vtu ]; then break; fi
+    sleep 0.05
+  done
+  kill -9 $pid || fail "the run ended before it could be killed"
   wait $pid 2>/dev/null || true
 }
 left() { find . -maxdepth 1 -name '.partial-*-out'; }
@@ -133,9 +146,9 @@ echo "$resumed of 6 runs went on where they were"
 
 # Damaged: one byte of the file, one of a frame; cut short. Another case: nothing of it is used.
 for damage in byte frame cut case; do
-  killed_at 60 case.toml
+  killed_midway case.toml
   file=$(left)/restart.bin
-  [ -f "$file" ] || fail "no restart file after 60 %"
+  [ -f "$file" ] || fail "no restart file midway"
   case $damage in
     byte) printf 'x' | dd of="$file" bs=1 seek=$(($(stat -c %s "$file") / 2)) conv=notrunc 2>/dev/null ;;
     frame) printf 'x' | dd of="$(left)/frames/frame_0000.vtu" bs=1 seek=2000 conv=notrunc 2>/dev/null ;;
