@@ -191,6 +191,7 @@ Case read_case(const Settings& settings, const std::filesystem::path& mesh_overr
   const double end = std::max(end_of_loads(c.model), 0.0);
   if (!(end > 0)) throw Failure(ExitCode::misuse, "nothing moves the organ", settings.where(), "[tool], [[displacement]] or [[force]]");
   plan_times(end, c);
+  for (std::size_t i = 0; i < c.model.points.size(); ++i) c.mesh.points[i] = {c.model.points[i].x(), c.model.points[i].y(), c.model.points[i].z()};
   settings.expect_all_read();
   return c;
 }

@@ -22,9 +22,15 @@ struct Moved {
   int amplitude = 0;
 };
 
+/// A table [[effect]]: of the tissue, or of the region that it names.
+struct GivenEffect : effects::Active {
+  std::string region;  ///< or empty: everywhere
+  std::string where;   ///< "file:line", for people
+};
+
 struct Case {
   std::filesystem::path mesh_path;
-  TetMesh mesh;
+  TetMesh mesh;                 ///< in the rest shape, which effects may have changed
   implicit::Model model;
   implicit::StepPlan settling;  ///< gravity's own steps, from t = −1 to 0; no times without gravity
   implicit::StepPlan steps;
@@ -34,6 +40,7 @@ struct Case {
   bool keep_partial = false; ///< deliver what was reached when the full depth is not
   int base_nodes = 0;
   std::vector<std::string> material_regions;  ///< of each material: a region's name, or empty: all of the mesh
+  std::vector<GivenEffect> effects;
   std::vector<Moved> moved;
   std::vector<std::vector<std::string>> contacts;  ///< names of the two regions, or of the one that touches itself
   std::vector<Eigen::Vector3d> aims_mm;  ///< of the tools

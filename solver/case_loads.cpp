@@ -54,7 +54,7 @@ int add_amplitude(implicit::Model& model, Amplitude amplitude) {
 }
 
 void read_base(const Settings& settings, Case& c, std::set<int>& held) {
-  if (settings.has("base")) held = chosen_nodes(settings.table("base"), c.mesh, c.model.points);
+  if (settings.has("base")) held = chosen_nodes(settings.table("base"), c.mesh);
   else if (!settings.has("spring") && !settings.has("displacement"))
     throw Failure(ExitCode::misuse, "nothing holds the organ", settings.where(), "[base], [[spring]] or [[displacement]]");
   c.base_nodes = static_cast<int>(held.size());
@@ -68,7 +68,7 @@ void read_displacements(const Settings& settings, Case& c, std::set<int>& held) 
     double factor = 1;
     const int ramp = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
     motion *= factor;
-    Moved moved{chosen_nodes(table, c.mesh, c.model.points), motion, ramp};
+    Moved moved{chosen_nodes(table, c.mesh), motion, ramp};
     for (int node : moved.nodes) {
       if (!held.insert(node).second)
         throw Failure(ExitCode::misuse, "a node is moved that is held or moved already, at " + text_mm(c.model.points[node]), table.where());
@@ -85,12 +85,12 @@ void read_forces_and_springs(const Settings& settings, Case& c) {
     const Vector3d total = eigen(table.vec3("total_N"));
     double factor = 1, area = 0;
     const int ramp = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
-    const auto nodes = chosen_nodes(table, c.mesh, c.model.points);
+    const auto nodes = chosen_nodes(table, c.mesh);
     for (int node : nodes) area += areas.at(node);
     for (int node : nodes) c.model.nodal_forces.push_back({node, factor * areas.at(node) / area * total, ramp});
   }
   for (const auto& table : settings.tables("pressure")) {
-    implicit::FacePressure pressure{chosen_faces(table, c.mesh, c.model.points), 0, 0};
+    implicit::FacePressure pressure{chosen_faces(table, c.mesh), 0, 0};
     double factor = 1;
     if (!table.has("path")) factor = table.real("pressure_MPa", {-1e3, 1e3});
     pressure.amplitude = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
@@ -99,7 +99,7 @@ void read_forces_and_springs(const Settings& settings, Case& c) {
   }
   for (const auto& table : settings.tables("spring")) {
     const double stiffness = table.real("stiffness_N_mm3", {0, 1e6});
-    for (int node : chosen_nodes(table, c.mesh, c.model.points)) c.model.springs.push_back({node, stiffness * areas.at(node)});
+    for (int node : chosen_nodes(table, c.mesh)) c.model.springs.push_back({node, stiffness * areas.at(node)});
   }
 }
 

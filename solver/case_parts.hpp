@@ -21,7 +21,8 @@ const Entry& named(const std::vector<Entry>& entries, const Settings& settings, 
 /// Its parameters, in the entry's order.
 inline std::vector<double> parameters(const CatalogueEntry& entry, const Settings& settings) {
   std::vector<double> values;
-  for (const auto& p : entry.parameters) values.push_back(settings.real(p.name, p.range));
+  for (const auto& p : entry.parameters)
+    values.push_back(p.may_be_left_out() ? settings.real(p.name, p.fallback, p.range) : settings.real(p.name, p.range));
   return values;
 }
 

@@ -31,10 +31,11 @@ Json numbers(const CatalogueEntry& entry, const std::vector<double>& values) {
   return json;
 }
 
-Json effect_facts(const elements::ActiveEffect& active) {
+Json effect_facts(const GivenEffect& active) {
   const auto& entry = active.effect.entry;
   Json facts = {{"name", entry.name}};
   for (std::size_t i = 0; i < active.parameters.size(); ++i) facts[entry.parameters[i % entry.parameters.size()].name].push_back(active.parameters[i]);
+  if (!active.region.empty()) facts["region"] = active.region;
   return facts;
 }
 
@@ -206,8 +207,7 @@ Json ResultFolder::finish(double time_reached) {
     if (case_->contacts[i].size() == 2) facts["force_on_first_N"] = json(sums.force);
     summary["contacts"].push_back(facts);
   }
-  for (const auto& m : model.materials)
-    for (const auto& e : m.effects) summary["effects"].push_back(effect_facts(e));
+  for (const auto& e : case_->effects) summary["effects"].push_back(effect_facts(e));
   for (const auto& facts : remeshings_) summary["remeshings"].push_back(Json::parse(facts));
   Json shapes = Json::array();
   for (std::size_t i = 0; i < model.tools.size(); ++i) shapes.push_back(tool_facts(model.tools[i], case_->aims_mm[i]));

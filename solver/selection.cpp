@@ -28,19 +28,19 @@ std::set<int> boundary_nodes(const TetMesh& mesh) {
 namespace {
 
 /// Boundary nodes on the far side of a plane: (x − point) · normal ≤ 0.
-std::set<int> below_plane(const Settings& plane, const TetMesh& mesh, const std::vector<Vector3d>& points) {
+std::set<int> below_plane(const Settings& plane, const TetMesh& mesh) {
   const Vector3d point = eigen(plane.vec3("point_mm")), normal = direction(plane, "normal");
   std::set<int> chosen;
   for (int node : boundary_nodes(mesh))
-    if ((points[node] - point).dot(normal) <= 0) chosen.insert(node);
+    if ((eigen(mesh.points[node]) - point).dot(normal) <= 0) chosen.insert(node);
   return chosen;
 }
 
-std::set<int> in_box(const Settings& box, const TetMesh& mesh, const std::vector<Vector3d>& points) {
+std::set<int> in_box(const Settings& box, const TetMesh& mesh) {
   const Vector3d low = eigen(box.vec3("min_mm")), high = eigen(box.vec3("max_mm"));
   std::set<int> chosen;
   for (int node : boundary_nodes(mesh))
-    if ((points[node].array() >= low.array()).all() && (points[node].array() <= high.array()).all()) chosen.insert(node);
+    if (const Vector3d x = eigen(mesh.points[node]); (x.array() >= low.array()).all() && (x.array() <= high.array()).all()) chosen.insert(node);
   return chosen;
 }
 
@@ -56,8 +56,8 @@ std::set<int> with_label(const Settings& base, const TetMesh& mesh) {
 
 }  // namespace
 
-std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh, const std::vector<Vector3d>& points) {
-  const auto nodes = chosen_nodes(settings, mesh, points);
+std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh) {
+  const auto nodes = chosen_nodes(settings, mesh);
   std::vector<int> faces;
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
     const auto name = mesh.region_names.find(mesh.face_region[f]);
@@ -68,11 +68,11 @@ std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh, con
   return faces;
 }
 
-std::set<int> chosen_nodes(const Settings& base, const TetMesh& mesh, const std::vector<Vector3d>& points) {
+std::set<int> chosen_nodes(const Settings& base, const TetMesh& mesh) {
   const int given = base.has("plane") + base.has("box") + base.has("label");
   if (given != 1) throw Failure(ExitCode::misuse, "surface nodes are chosen by one of plane, box, label", base.where(), "plane = { point_mm = [..], normal = [..] }");
-  const auto chosen = base.has("plane") ? below_plane(base.table("plane"), mesh, points)
-                      : base.has("box") ? in_box(base.table("box"), mesh, points)
+  const auto chosen = base.has("plane") ? below_plane(base.table("plane"), mesh)
+                      : base.has("box") ? in_box(base.table("box"), mesh)
                                         : with_label(base, mesh);
   if (chosen.size() < 3)
     throw Failure(ExitCode::misuse, std::to_string(chosen.size()) + " nodes of the surface are chosen", base.where(),

@@ -18,10 +18,10 @@ Eigen::Vector3d direction(const Settings& settings, const std::string& key);
 std::set<int> boundary_nodes(const TetMesh& mesh);
 
 /// By exactly one of plane = { point_mm, normal } (what lies on the side the normal points away from), box = { min_mm, max_mm },
-/// label = "name". `points`: of the mesh, mm. Failure(misuse) when fewer than three nodes are chosen.
-std::set<int> chosen_nodes(const Settings& settings, const TetMesh& mesh, const std::vector<Eigen::Vector3d>& points);
+/// label = "name". Failure(misuse) when fewer than three nodes are chosen.
+std::set<int> chosen_nodes(const Settings& settings, const TetMesh& mesh);
 
 /// Faces of the surface, by their numbers: those of a label, or those all of whose nodes a plane or a box chooses.
-std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh, const std::vector<Eigen::Vector3d>& points);
+std::vector<int> chosen_faces(const Settings& settings, const TetMesh& mesh);
 
 }  // namespace palpate

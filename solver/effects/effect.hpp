@@ -22,6 +22,7 @@ struct Point {
   double time = 0;  ///< s
   double dt = 0;    ///< s since the memory was written; 0: at that very moment
   materials::Kinematics kinematics = materials::Kinematics::finite;
+  double modulus = 1;  ///< factor on the law, see Start
 };
 
 /// The response of the law with the effects inside this one, as a function of F.
@@ -41,12 +42,41 @@ struct StressSocket {
   void (*remember)(const Inner& inner, const Point& point, std::span<double> memory, std::span<const double> parameters) = nullptr;
 };
 
+/// What is so of a place of the tissue from the start.
+struct Start {
+  double modulus = 1;  ///< factor on the law's stress and on the volume energy
+  double turgor = 0;   ///< MPa: isotropic tension of the tissue at rest, and the pressure of what fills it
+};
+
+/// Socket `start`: places are of the rest shape, mm. Either may be absent.
+struct StartSocket {
+  /// Changes what is so of a place.
+  void (*begin)(const Eigen::Vector3d& place, std::span<const double> parameters, Start& start) = nullptr;
+  /// Where a point of the mesh lies in the rest shape; and the factor on the thickness of a wall there.
+  Eigen::Vector3d (*shape)(const Eigen::Vector3d& point, std::span<const double> parameters) = nullptr;
+  double (*thickness)(const Eigen::Vector3d& point, std::span<const double> parameters) = nullptr;
+};
+
+/// It fits one socket. With the parameters that may be left out left out, the first one is the amplitude: 0 switches the effect off.
 struct Effect {
-  CatalogueEntry entry;     ///< kind "effect"; the first parameter is the amplitude: 0 switches the effect off
+  CatalogueEntry entry;     ///< kind "effect"
   bool many_terms = false;  ///< parameters may be lists of one length; they are stored term by term
-  StressSocket stress;
+  StressSocket stress = {};
   /// What is wrong with parameters that lie in their ranges but do not go together; empty: nothing. May be absent.
   std::string (*objection)(std::span<const double> parameters) = nullptr;
+  StartSocket start = {};
+};
+
+/// The socket that it fits.
+inline const char* socket(const Effect& effect) {
+  if (effect.stress.respond) return "stress";
+  return "start";
+}
+
+/// An effect with its numbers.
+struct Active {
+  Effect effect;
+  std::vector<double> parameters;
 };
 
 /// Every effect of the folder, in alphabetical order (generated).

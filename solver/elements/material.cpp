@@ -13,7 +13,7 @@ struct Chain {
   int count;
 
   materials::Response operator()(const materials::Mat3& F) const {
-    if (count == 0) return material.law.respond(F, material.parameters);
+    if (count == 0) return material.respond(F, point.modulus);
     const auto& last = material.effects[count - 1];
     const Chain within{material, point, memory, count - 1};
     effects::Point here = point;
@@ -29,7 +29,16 @@ struct Chain {
 
 void Material::add(const effects::Effect& effect, std::vector<double> effect_parameters) {
   const int size = effect.stress.memory(effect_parameters);
-  effects.push_back({effect, std::move(effect_parameters), memory(), size});
+  effects.push_back({{effect, std::move(effect_parameters)}, memory(), size});
+}
+
+materials::Response Material::respond(const materials::Mat3& F, double modulus) const {
+  materials::Response r = law.respond(F, parameters);
+  if (modulus == 1) return r;
+  r.W *= modulus;
+  r.P *= modulus;
+  r.A *= modulus;
+  return r;
 }
 
 materials::Response Material::respond(const effects::Point& point, const double* memory) const {

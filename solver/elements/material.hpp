@@ -10,10 +10,8 @@
 
 namespace palpate::elements {
 
-/// An effect on the stress, with its numbers.
-struct ActiveEffect {
-  effects::Effect effect;
-  std::vector<double> parameters;
+/// An effect on the stress at work.
+struct ActiveEffect : effects::Active {
   int memory_at = 0;  ///< where its part of a point's memory begins
   int memory = 0;     ///< how many numbers that is
 };
@@ -30,14 +28,17 @@ struct Material {
   /// Numbers that a point remembers.
   int memory() const { return effects.empty() ? 0 : effects.back().memory_at + effects.back().memory; }
 
-  materials::Response respond(const materials::Mat3& F) const { return law.respond(F, parameters); }
+  /// The law alone, times a factor.
+  materials::Response respond(const materials::Mat3& F, double modulus = 1) const;
   /// With its effects. `memory`: this->memory() numbers; point.kinematics is the law's.
   materials::Response respond(const effects::Point& point, const double* memory) const;
   /// The memory that an accepted step leaves, in place.
   void remember(const effects::Point& point, double* memory) const;
 
   double shear_modulus() const { return law.shear_modulus(parameters); }
-  materials::VolumeEnergy volume_energy() const { return {bulk_modulus, volume_stiffening[0], volume_stiffening[1]}; }
+  materials::VolumeEnergy volume_energy(double modulus = 1) const {
+    return {modulus * bulk_modulus, modulus * volume_stiffening[0], modulus * volume_stiffening[1]};
+  }
 };
 
 }  // namespace palpate::elements

@@ -5,6 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/elements/mini_tetrahedron.hpp>
 
+#include <solver/elements/turgor.hpp>
+
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <stdexcept>
@@ -32,29 +34,9 @@ Eigen::Map<const Vec9> flat(const Mat3& m) { return Eigen::Map<const Vec9>(m.dat
 Eigen::Map<const Vec81> flat(const Mat9& m) { return Eigen::Map<const Vec81>(m.data()); }
 Eigen::Map<Vec81> flat(Mat9& m) { return Eigen::Map<Vec81>(m.data()); }
 
-Mat3 cofactor(const Mat3& F) {
-  Mat3 c;
-  c.col(0) = F.col(1).cross(F.col(2));
-  c.col(1) = F.col(2).cross(F.col(0));
-  c.col(2) = F.col(0).cross(F.col(1));
-  return c;
-}
-
 VolumeTerm volume_term(const Mat3& F, Kinematics kinematics) {
   if (kinematics == Kinematics::small) return {F.trace() - 3, flat(Mat3(Mat3::Identity()))};
   return {F.determinant() - 1, flat(cofactor(F))};
-}
-
-/// A += ∂cof F/∂F, linear in F: ∂(cof F)_ij/∂F_kl = ε_ikm ε_jln F_mn.
-void add_cofactor_derivative(Mat9& A, const Mat3& F) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const int k = (i + 1) % 3, m = (i + 2) % 3, l = (j + 1) % 3, n = (j + 2) % 3;
-      A(i + 3 * j, k + 3 * l) += F(m, n);
-      A(i + 3 * j, m + 3 * n) += F(k, l);
-      A(i + 3 * j, k + 3 * n) -= F(m, l);
-      A(i + 3 * j, m + 3 * l) -= F(k, n);
-    }
 }
 
 /// Gᵀ X for G = I ⊗ g, the deformation gradient of a displacement that is 1 at a node with gradient g: 9 × n to 3 × n.
@@ -75,10 +57,24 @@ struct SubTetrahedron {
 
 using SubTetrahedra = std::array<SubTetrahedron, 4>;
 
+effects::Start start_of(const ElementState& state, int sub) { return state.starts ? state.starts[sub] : effects::Start{}; }
+
 /// A sub-tetrahedron as the material sees it.
-Response respond(const Material& material, const Mat3& F, const History& history, int sub) {
-  if (material.effects.empty()) return material.respond(F);
-  return material.respond({F, history.time, history.dt, material.law.kinematics}, history.memory + sub * material.memory());
+Response respond(const Material& material, const Mat3& F, const ElementState& state, int sub) {
+  const auto& history = state.history;
+  const auto [modulus, turgor] = start_of(state, sub);
+  Response r = material.effects.empty()
+                   ? material.respond(F, modulus)
+                   : material.respond({F, history.time, history.dt, material.law.kinematics, modulus}, history.memory + sub * material.memory());
+  if (turgor != 0) add_turgor(r, F, turgor, material.law.kinematics);
+  return r;
+}
+
+/// Of all sub-tetrahedra: the pressure is the element's.
+double mean_modulus(const ElementState& state) {
+  double sum = 0;
+  for (int s = 0; s < 4; ++s) sum += start_of(state, s).modulus;
+  return sum / 4;
 }
 
 SubTetrahedra sub_tetrahedra(const Tetrahedron& rest, const ElementState& state) {
@@ -128,7 +124,7 @@ void try_bubble(Trial& t, const Tetrahedron& rest, const Material& material, con
       t.inverted = true;
       return;
     }
-    const Response r = respond(material, F, state.history, s);
+    const Response r = respond(material, F, state, s);
     const Vec9 P = flat(r.P) + p * t.volume[s].gradient;
     const Eigen::Vector3d g = 4 * rest.gradients.col(s);
     const Mat93 AG = along_columns<9>(g, r.A);
@@ -246,6 +242,13 @@ Tetrahedron tetrahedron(const Eigen::Matrix<double, 3, 4>& X) {
   return t;
 }
 
+Eigen::Matrix<double, 3, 4> sub_centroids(const Eigen::Matrix<double, 3, 4>& X) {
+  const Eigen::Vector3d sum = X.rowwise().sum();
+  Eigen::Matrix<double, 3, 4> centroids;
+  for (int s = 0; s < 4; ++s) centroids.col(s) = (sum - X.col(s) + sum / 4) / 4;  // three corners and the barycentre
+  return centroids;
+}
+
 ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force) {
   ElementSystem system;
   Trial trial;
@@ -255,7 +258,7 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
   const VolumeSums sums = volume_sums(trial, rest);
   const double quarter = rest.volume / 4;
   const Eigen::Vector4d p(state.nodal(3), state.nodal(7), state.nodal(11), state.nodal(15));
-  const DilationTerm dilation = dilation_term(material.volume_energy(), p, rest.volume);
+  const DilationTerm dilation = dilation_term(material.volume_energy(mean_modulus(state)), p, rest.volume);
   const Eigen::Matrix4d pp = -dilation.derivative;
   const Eigen::Vector4d rp = quarter * sums.rp - dilation.value;
 
@@ -303,7 +306,7 @@ ElementResult mini_element_result(const Tetrahedron& rest, const Material& mater
     const Mat3& F = subs[s].F;
     const bool small = material.law.kinematics == Kinematics::small;
     const double J = small ? F.trace() - 2 : F.determinant();
-    const Mat3 P = respond(material, F, state.history, s).P;
+    const Mat3 P = respond(material, F, state, s).P;
     const Mat3 sigma = small ? P : Mat3(P * F.transpose() / J);
     const Mat3 deviator = sigma - sigma.trace() / 3 * Mat3::Identity();
     result.von_mises += 0.25 * std::sqrt(1.5) * deviator.norm();
@@ -315,7 +318,7 @@ ElementResult mini_element_result(const Tetrahedron& rest, const Material& mater
 void remember(const Tetrahedron& rest, const Material& material, const ElementState& state, double* memory) {
   const SubTetrahedra subs = sub_tetrahedra(rest, state);
   for (int s = 0; s < 4; ++s)
-    material.remember({subs[s].F, state.history.time, state.history.dt, material.law.kinematics}, memory + s * material.memory());
+    material.remember({subs[s].F, state.history.time, state.history.dt, material.law.kinematics, start_of(state, s).modulus}, memory + s * material.memory());
 }
 
 CatalogueEntry mini_tetrahedron_entry() {

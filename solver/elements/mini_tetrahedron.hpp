@@ -35,6 +35,7 @@ struct ElementState {
   Vec16 nodal;
   Eigen::Vector3d bubble;
   History history = {};
+  const effects::Start* starts = nullptr;  ///< of the four sub-tetrahedra; none: as the material says
 };
 
 enum class ElementFault { none, inverted, bubble_not_positive, bubble_not_converged };
@@ -49,6 +50,9 @@ struct ElementSystem {
 /// Mean of a corner's shape function over the sub-tetrahedron opposite to the corner, and over the others.
 constexpr double near_weight = 1.0 / 16, far_weight = 5.0 / 16;
 constexpr double mean_weight(int corner, int sub) { return corner == sub ? near_weight : far_weight; }
+
+/// Where the sub-tetrahedra's centroids lie, columns, mm. `X`: corners in columns.
+Eigen::Matrix<double, 3, 4> sub_centroids(const Eigen::Matrix<double, 3, 4>& X);
 
 /// Density of body force at the four sub-tetrahedra's centroids, columns, N/mm³.
 using BodyForce = Eigen::Matrix<double, 3, 4>;

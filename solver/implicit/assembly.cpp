@@ -14,20 +14,13 @@ namespace {
 /// A pressure of 2 μ takes half of the penetration that is allowed.
 constexpr double softness_over_shear_modulus = 2;
 
-Eigen::Matrix<double, 3, 4> corners(const Model& model, const std::array<int, 4>& tet) {
-  Eigen::Matrix<double, 3, 4> X;
-  for (int a = 0; a < 4; ++a) X.col(a) = model.points[tet[a]];
-  return X;
-}
-
 /// Body force at the centroid of each sub-tetrahedron: three corners and the barycentre.
 elements::BodyForce body_force_of(const Model& model, int tet) {
   constexpr double kg_per_m3 = 1e-9;  // in kg/mm³: times m/s², N/mm³
   elements::BodyForce force = (kg_per_m3 * model.materials[model.tet_material[tet]].density * model.gravity).replicate<1, 4>();
   if (!model.body_force) return force;
-  const auto X = corners(model, model.tets[tet]);
-  const Eigen::Vector3d sum = X.rowwise().sum();
-  for (int s = 0; s < 4; ++s) force.col(s) += model.body_force((sum - X.col(s) + sum / 4) / 4);
+  const auto centroids = elements::sub_centroids(corners(model, model.tets[tet]));
+  for (int s = 0; s < 4; ++s) force.col(s) += model.body_force(centroids.col(s));
   return force;
 }
 

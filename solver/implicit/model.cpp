@@ -120,8 +120,15 @@ elements::ElementState element_state(const Model& model, const State& state, int
   elements::ElementState local;
   for (int a = 0; a < 4; ++a) local.nodal.segment<4>(4 * a) = state.nodal.segment<4>(4 * model.tets[tet][a]);
   local.bubble = state.bubbles[tet];
+  if (!model.starts.empty()) local.starts = model.starts[tet].data();
   local.history = {state.memory.data() + memory_start, state.time, state.time - state.memory_time};
   return local;
+}
+
+Eigen::Matrix<double, 3, 4> corners(const Model& model, const std::array<int, 4>& tet) {
+  Eigen::Matrix<double, 3, 4> X;
+  for (int a = 0; a < 4; ++a) X.col(a) = model.points[tet[a]];
+  return X;
 }
 
 Eigen::Vector3d centroid(const Model& model, int tet) {

@@ -45,6 +45,7 @@ struct Model {
   std::vector<std::array<int, 4>> tets;       ///< positive volume
   std::vector<elements::Material> materials;
   std::vector<int> tet_material;              ///< one per tet: index into materials
+  std::vector<std::array<effects::Start, 4>> starts;  ///< of every tet's sub-tetrahedra; none: as the materials say
   std::vector<std::array<int, 3>> faces;      ///< boundary, outward: where contact can happen
   std::vector<Amplitude> amplitudes{1};       ///< the first one is the time itself
   std::vector<Prescribed> prescribed;
@@ -103,6 +104,9 @@ std::vector<int> memory_starts(const Model& model);
 
 /// Local unknowns of a tetrahedron; its memory begins at `memory_start`.
 elements::ElementState element_state(const Model& model, const State& state, int tet, int memory_start = 0);
+
+/// Corners of a tetrahedron at rest, columns, mm.
+Eigen::Matrix<double, 3, 4> corners(const Model& model, const std::array<int, 4>& tet);
 
 /// Centroid of a tetrahedron at rest, mm.
 Eigen::Vector3d centroid(const Model& model, int tet);

@@ -26,7 +26,10 @@ void usage(Usage& u) {
     std::vector<CatalogueEntry> entries = contact::entries();
     entries.insert(entries.begin(), elements::mini_tetrahedron_entry());
     for (const auto& law : materials::all()) entries.push_back(law.entry);
-    for (const auto& effect : effects::all()) entries.push_back(effect.entry);
+    for (const auto& effect : effects::all()) {
+      entries.push_back(effect.entry);
+      entries.back().sentence += std::string(" (") + effects::socket(effect) + ")";
+    }
     for (const auto& tool : tools::all()) entries.push_back(tool.entry);
     return entries;
   };

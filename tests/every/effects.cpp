@@ -1,9 +1,9 @@
-// Every effect on the stress: off is exact, amplitude 0 changes nothing, trial steps repeat, tangent by differences and symmetric,
-// objective, a full entry; and no energy comes out of a closed path.
+// Every effect: a full entry; in a case, off is the model without, steps repeat, and every parameter has its derivative. Every effect on the
+// stress besides: tangent by differences and symmetric, objective, and no energy comes out of a closed path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <tests/verify/shapes.hpp>
+#include <tests/verify/case_runs.hpp>
 
 using namespace palpate;
 using effects::Effect;
@@ -44,11 +44,11 @@ std::vector<double> memory_at(const elements::Material& m, double end, int steps
 /// Moments on the way there and on the way back.
 const std::vector<double> moments = {0.3, 0.9, 1.2, 1.7};
 
-class EveryEffect : public testing::TestWithParam<Effect> {};
+class EveryStress : public testing::TestWithParam<Effect> {};
 
 }  // namespace
 
-TEST_P(EveryEffect, AmplitudeZeroChangesNothing) {
+TEST_P(EveryStress, AmplitudeZeroChangesNothing) {
   auto values = typical(GetParam());
   values[0] = 0;
   const auto m = with(GetParam(), values);
@@ -61,14 +61,14 @@ TEST_P(EveryEffect, AmplitudeZeroChangesNothing) {
   }
 }
 
-TEST_P(EveryEffect, ChangesSomethingOnTheWayBack) {
+TEST_P(EveryStress, ChangesSomethingOnTheWayBack) {
   const auto m = with(GetParam(), typical(GetParam()));
   const auto memory = memory_at(m, 1.2, 12);
   const Point point{on_path(1.3), 1.3, 0.1, m.law.kinematics};
   EXPECT_GE((m.respond(point, memory.data()).P - m.respond(point.F).P).norm(), 0.005 * m.respond(point.F).P.norm());
 }
 
-TEST_P(EveryEffect, ATrialStepLeavesNoTrace) {
+TEST_P(EveryStress, ATrialStepLeavesNoTrace) {
   const auto m = with(GetParam(), typical(GetParam()));
   const auto memory = memory_at(m, 1.2, 12);
   auto kept = memory;
@@ -81,7 +81,7 @@ TEST_P(EveryEffect, ATrialStepLeavesNoTrace) {
   EXPECT_EQ((first.A - again.A).norm(), 0);
 }
 
-TEST_P(EveryEffect, TangentIsTheDerivativeAndSymmetric) {
+TEST_P(EveryStress, TangentIsTheDerivativeAndSymmetric) {
   for (const char* law : {"fung_demiray", "hooke_linear"}) {
     const auto m = with(GetParam(), typical(GetParam()), law);
     for (double t : moments) {
@@ -103,7 +103,7 @@ TEST_P(EveryEffect, TangentIsTheDerivativeAndSymmetric) {
   }
 }
 
-TEST_P(EveryEffect, IsObjective) {
+TEST_P(EveryStress, IsObjective) {
   const Mat3 Q = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   const auto m = with(GetParam(), typical(GetParam()));
   for (double t : moments) {
@@ -116,7 +116,7 @@ TEST_P(EveryEffect, IsObjective) {
 }
 
 /// Work in a closed path, with fine steps, J kept by the pressure: P : dF of the isochoric part is what counts.
-TEST_P(EveryEffect, AClosedPathCostsEnergy) {
+TEST_P(EveryStress, AClosedPathCostsEnergy) {
   const auto m = with(GetParam(), typical(GetParam()));
   std::vector<double> memory(m.memory(), 0.0);
   const int steps = 2000;
@@ -134,14 +134,103 @@ TEST_P(EveryEffect, AClosedPathCostsEnergy) {
   EXPECT_LE(work, peak);
 }
 
+std::vector<Effect> on_the_stress() {
+  auto list = effects::all();
+  std::erase_if(list, [](const Effect& effect) { return !effect.stress.respond; });
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryStress, testing::ValuesIn(on_the_stress()), [](const auto& tested) { return tested.param.entry.name; });
+
+namespace {
+
+/// Where effects of a socket want to be told where they are.
+std::string further_keys(const Effect& effect) {
+  const std::string socket = effects::socket(effect);
+  if (socket == "layer") return "plane = { point_mm = [0.0, 0.0, 4.99], normal = [0.0, 0.0, -1.0] }\n";
+  if (socket == "force") return "box = { min_mm = [-6.0, -6.0, -1.0], max_mm = [-4.9, 6.0, 6.0] }\n";
+  return "";
+}
+
+/// A block with a law, an effect and a ball that presses, holds, lifts and presses again.
+class EveryEffect : public verify::CaseRuns, public testing::WithParamInterface<Effect> {
+ protected:
+  /// `with`: the effect's table, or nothing.
+  Settings case_with(const std::string& with) {
+    write("[material]\nlaw = \"fung_demiray\"\nmu = 0.0067\nb = 1.3\n"
+          "[base]\nplane = { point_mm = [0.0, 0.0, 0.01], normal = [0.0, 0.0, 1.0] }\n"
+          "[tool]\nkind = \"ball\"\nradius_mm = 3.0\naim_mm = [0.3, 0.2, 5.0]\naxis = [0.1, 0.0, -1.0]\n"
+          "path = [[0, 0], [1, 0.9], [1.5, 0.9], [2, 0.5], [3, 1.0]]\n[steps]\ncount = 9\n" + with);
+    return Settings::read(folder / "case.toml");
+  }
+
+  std::string table(bool off) const {
+    std::ostringstream out;
+    out.precision(17);
+    out << "[[effect]]\nname = \"" << GetParam().entry.name << "\"\n" << further_keys(GetParam());
+    const auto& parameters = GetParam().entry.parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const auto& p = parameters[i];
+      if (off && p.may_be_left_out()) continue;
+      const bool place = i > 0 && p.range.min < 0;  // or direction: away from what the block mirrors
+      out << p.name << " = " << (off && i == 0 ? 0 : place ? p.typical + 0.1 * i : p.typical) << "\n";
+    }
+    return out.str();
+  }
+};
+
+}  // namespace
+
+TEST_P(EveryEffect, OffIsTheModelWithout) {
+  const auto without = forces(case_with("")), off = forces(case_with(table(true))), on = forces(case_with(table(false)));
+  double peak = 0, change = 0;
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    peak = std::max(peak, std::abs(without[i]));
+    change = std::max(change, std::abs(on[i] - without[i]));
+  }
+  for (std::size_t i = 0; i < without.size(); ++i) EXPECT_LE(std::abs(off[i] - without[i]), 1e-10 * peak);
+  EXPECT_GE(change, 1e-3 * peak);
+}
+
+TEST_P(EveryEffect, ATrialStepLeavesNoTrace) {
+  const Case c = read_case(case_with(table(false)), "");
+  implicit::Equilibrium equilibrium(c.model, 1);
+  implicit::State state = implicit::rest_state(c.model);
+  for (double t : {0.3, 0.6, 0.9}) ASSERT_TRUE(equilibrium.find(state, t)) << equilibrium.trouble().cause;
+  std::vector<implicit::State> found;
+  for (double t : {1.2, 1.0, 1.2}) {
+    implicit::State trial = state;
+    implicit::Equilibrium fresh(c.model, 1);
+    ASSERT_TRUE(fresh.find(trial, t));
+    found.push_back(trial);
+  }
+  EXPECT_EQ(found[0].nodal, found[2].nodal);
+  EXPECT_EQ(found[0].memory, found[2].memory);
+}
+
+TEST_P(EveryEffect, EveryParameterHasItsDerivative) {
+  std::vector<std::string> numbers;
+  for (const auto& p : GetParam().entry.parameters) numbers.push_back("effect[0]." + p.name);
+  case_with(table(false));
+  expect_derivatives(numbers);
+}
+
+/// Of one side, where the range ends.
+TEST_P(EveryEffect, TheAmplitudeHasADerivativeWhereItIsOff) {
+  case_with(table(true));
+  expect_derivatives({"effect[0]." + GetParam().entry.parameters[0].name});
+}
+
 TEST_P(EveryEffect, EntryIsComplete) {
   const auto& entry = GetParam().entry;
   EXPECT_EQ(entry.kind, "effect");
   EXPECT_FALSE(entry.sentence.empty() || entry.reference.empty() || entry.parameters.empty());
-  EXPECT_EQ(entry.parameters[0].range.min, 0);
+  EXPECT_TRUE(entry.parameters[0].range.contains(0));
+  EXPECT_FALSE(entry.parameters[0].may_be_left_out());
   for (const auto& p : entry.parameters) {
     EXPECT_FALSE(p.name.empty() || p.unit.empty() || p.meaning.empty());
     EXPECT_TRUE(p.range.contains(p.typical));
+    EXPECT_TRUE(!p.may_be_left_out() || p.range.contains(p.fallback));
   }
 }
 

@@ -148,6 +148,7 @@ TEST(Effects, AmplitudeZeroIsTheModelWithout) {
   const auto times = even_times(1, 5);
   const auto plain = pull(material("fung_demiray", {mu, 1.5}), {{0, 1}, {1, 1.3}}, times);
   for (const auto& effect : effects::all()) {
+    if (!effect.stress.respond) continue;
     auto m = material("fung_demiray", {mu, 1.5});
     std::vector<double> values;
     for (const auto& p : effect.entry.parameters) values.push_back(p.typical);
