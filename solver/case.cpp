@@ -168,6 +168,12 @@ void copy_geometry(const TetMesh& mesh, implicit::Model& model, const std::files
 
 }  // namespace
 
+TetMesh rest_mesh(const Case& c) {
+  TetMesh mesh = c.mesh;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.points[i] = {c.model.points[i].x(), c.model.points[i].y(), c.model.points[i].z()};
+  return mesh;
+}
+
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override) {
   return read_case(Settings::read(path), mesh_override);
 }
@@ -191,7 +197,6 @@ Case read_case(const Settings& settings, const std::filesystem::path& mesh_overr
   const double end = std::max(end_of_loads(c.model), 0.0);
   if (!(end > 0)) throw Failure(ExitCode::misuse, "nothing moves the organ", settings.where(), "[tool], [[displacement]] or [[force]]");
   plan_times(end, c);
-  for (std::size_t i = 0; i < c.model.points.size(); ++i) c.mesh.points[i] = {c.model.points[i].x(), c.model.points[i].y(), c.model.points[i].z()};
   settings.expect_all_read();
   return c;
 }

@@ -26,13 +26,14 @@ struct Moved {
 struct GivenEffect : effects::Active {
   std::string region;  ///< or empty: everywhere
   std::string where;   ///< "file:line", for people
+  int tool = 0;        ///< of a traction: whose, from 1; 0: every tool's
 };
 
 struct Case {
   std::filesystem::path mesh_path;
-  TetMesh mesh;                 ///< in the rest shape, which effects may have changed
+  TetMesh mesh;                 ///< as its file has it; effects may have changed the rest shape, which is the model's
   implicit::Model model;
-  implicit::StepPlan settling;  ///< gravity's own steps, from t = −1 to 0; no times without gravity
+  implicit::StepPlan settling;  ///< steps of gravity and of layers, from t = −1 to 0, before the tools come; no times without them
   implicit::StepPlan steps;
   int count = 20;               ///< of steps
   int frames = 5;            ///< besides the one at rest
@@ -47,6 +48,9 @@ struct Case {
   std::vector<std::filesystem::path> tool_files;  ///< of the tools that have one
 };
 
+/// The mesh in the model's rest shape.
+TetMesh rest_mesh(const Case& c);
+
 /// Nodes of the surface and centroids of its faces, at rest or deformed by `state`, mm.
 std::vector<Eigen::Vector3d> surface_points(const Case& c, const implicit::State* state);
 
@@ -54,6 +58,9 @@ std::vector<Eigen::Vector3d> surface_points(const Case& c, const implicit::State
 /// Failure(unreadable) for the mesh; Failure(misuse) when the base holds nothing or the tool misses the organ.
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& mesh_override);
 Case read_case(const Settings& settings, const std::filesystem::path& mesh_override);
+
+/// Part of `palpate list`: loads and supports with tables of their own.
+std::vector<CatalogueEntry> load_entries();
 
 /// While gravity grows the tools are out of reach.
 void take_tools_away(Case& c);

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/case_parts.hpp>
 
+#include <map>
+#include <numeric>
+
 #include <palpate/errors.hpp>
+#include <solver/selection.hpp>
 
 namespace palpate {
 namespace {
@@ -26,6 +30,17 @@ std::vector<double> term_parameters(const CatalogueEntry& entry, const Settings&
   std::vector<double> values;
   for (std::size_t term = 0; term < lists.front().size(); ++term)
     for (const auto& list : lists) values.push_back(list[term]);
+  return values;
+}
+
+std::vector<double> effect_parameters(const effects::Effect& effect, const Settings& settings) {
+  if (effect.many_terms) return term_parameters(effect.entry, settings);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < effect.entry.parameters.size(); ++i) {
+    const auto& p = effect.entry.parameters[i];
+    const double* fallback = effects::fallback(effect, i);
+    values.push_back(fallback ? settings.real(p.name, *fallback, p.range) : settings.real(p.name, p.range));
+  }
   return values;
 }
 
@@ -68,23 +83,62 @@ void begin_tissue(Case& c) {
   }
 }
 
+/// The region's nodes, each with its share of area and its normal at rest.
+std::vector<implicit::RegionForce::Point> points_of(const std::vector<int>& faces, const implicit::Model& model) {
+  std::map<int, Eigen::Vector3d> area_vectors;
+  for (int f : faces) {
+    const auto& [a, b, d] = model.faces[f];
+    const Eigen::Vector3d sixth = (model.points[b] - model.points[a]).cross(model.points[d] - model.points[a]) / 6;
+    for (int node : model.faces[f]) area_vectors.try_emplace(node, Eigen::Vector3d::Zero()).first->second += sixth;
+  }
+  std::vector<implicit::RegionForce::Point> points;
+  for (const auto& [node, area] : area_vectors) points.push_back({node, area.norm(), area.normalized()});
+  return points;
+}
+
+/// Its faces are those of plane, box or label; of a layer without one of these, all.
+void lay_on_surface(const Settings& table, const GivenEffect& given, Case& c) {
+  const auto& effect = given.effect;
+  if (!effect.layer.respond && !effect.force.respond) return;
+  const bool named = table.has("plane") || table.has("box") || table.has("label");
+  std::vector<int> faces(c.model.faces.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  if (named || effect.force.respond) faces = chosen_faces(table, c.mesh);
+  if (effect.force.respond) {
+    c.model.region_forces.push_back({given, points_of(faces, c.model)});
+    return;
+  }
+  c.model.layers.push_back({given, faces});
+  plan_settling(c, 4);
+}
+
+/// Its materials, and what they are made of.
+void add_to_tissue(const Settings& table, GivenEffect& given, Case& c) {
+  if (!given.effect.stress.respond && !given.effect.start.begin) return;
+  if (table.has("region")) given.region = table.choice("region", region_names(c.mesh));
+  if (!given.effect.stress.respond) return;
+  for (std::size_t m = 0; m < c.model.materials.size(); ++m)
+    if (covers(given, c, static_cast<int>(m))) c.model.materials[m].add(given.effect, given.parameters);
+}
+
 }  // namespace
 
 void read_effects(const Settings& settings, Case& c) {
-  for (const auto& table : settings.tables("effect")) {
+  const auto tables = settings.tables("effect");
+  const double tools = static_cast<double>(settings.tables("tool").size());
+  for (const auto& table : tables) {
     const effects::Effect effect = named(effects::all(), table, "name");
-    const auto values = effect.many_terms ? term_parameters(effect.entry, table) : parameters(effect.entry, table);
+    const auto values = effect_parameters(effect, table);
     if (effect.objection)
       if (const std::string objection = effect.objection(values); !objection.empty()) throw Failure(ExitCode::misuse, objection, table.where());
-    c.effects.push_back({{effect, values}, "", table.where()});
-    const bool of_tissue = effect.stress.respond || effect.start.begin;
-    if (of_tissue && table.has("region")) c.effects.back().region = table.choice("region", region_names(c.mesh));
-    if (!effect.stress.respond) continue;
-    for (std::size_t m = 0; m < c.model.materials.size(); ++m)
-      if (covers(c.effects.back(), c, static_cast<int>(m))) c.model.materials[m].add(effect, values);
+    GivenEffect given{{effect, values}, "", table.where()};
+    if (effect.traction.respond && table.has("tool")) given.tool = static_cast<int>(table.integer("tool", 0, {1, tools}));
+    add_to_tissue(table, given, c);
+    c.effects.push_back(std::move(given));
   }
   reshape(c);
   begin_tissue(c);
+  for (std::size_t i = 0; i < tables.size(); ++i) lay_on_surface(tables[i], c.effects[i], c);
 }
 
 }  // namespace palpate

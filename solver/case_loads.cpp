@@ -14,6 +14,21 @@ namespace {
 
 using Eigen::Vector3d;
 
+CatalogueEntry gravity_entry() {
+  return {"load", "gravity", "weight of the tissue, grown before the tools come: [gravity] direction, steps", "",
+          {{"acceleration_m_s2", "m/s^2", {0, 1e3}, 9.81, "times density_kg_m3 of the material"}}};
+}
+CatalogueEntry pressure_entry() {
+  return {"load", "pressure", "a pressure on a patch of surface that stays at right angles to it: [[pressure]] patch, path", "Bufler 1984, Z. angew. Math. Mech. 64:287",
+          {{"pressure_MPa", "MPa", {-1e3, 1e3}, 0.001, "towards the organ"}}};
+}
+CatalogueEntry spring_entry() {
+  return {"load", "spring", "pulls a patch of surface back to rest, the same in all directions: [[spring]] patch", "",
+          {{"stiffness_N_mm3", "N/mm^3", {0, 1e6}, 0.01, "force per area and mm"}}};
+}
+
+double number(const Settings& table, const CatalogueEntry& entry) { return parameters(entry, table).front(); }
+
 /// path = [[t_s, value], …] with ascending times, divided by its largest value; or a ramp from 0 to `duration`.
 Amplitude read_path(const Settings& settings, double duration, double& largest) {
   if (!settings.has("path")) return {{{0, 0}, {duration, 1}}};
@@ -55,8 +70,8 @@ int add_amplitude(implicit::Model& model, Amplitude amplitude) {
 
 void read_base(const Settings& settings, Case& c, std::set<int>& held) {
   if (settings.has("base")) held = chosen_nodes(settings.table("base"), c.mesh);
-  else if (!settings.has("spring") && !settings.has("displacement"))
-    throw Failure(ExitCode::misuse, "nothing holds the organ", settings.where(), "[base], [[spring]] or [[displacement]]");
+  else if (!settings.has("spring") && !settings.has("displacement") && c.model.region_forces.empty())
+    throw Failure(ExitCode::misuse, "nothing holds the organ", settings.where(), "[base], [[spring]], [[displacement]] or an effect such as support");
   c.base_nodes = static_cast<int>(held.size());
   for (int node : held)
     for (int component = 0; component < 3; ++component) c.model.prescribed.push_back({node, component, 0});
@@ -92,13 +107,13 @@ void read_forces_and_springs(const Settings& settings, Case& c) {
   for (const auto& table : settings.tables("pressure")) {
     implicit::FacePressure pressure{chosen_faces(table, c.mesh), 0, 0};
     double factor = 1;
-    if (!table.has("path")) factor = table.real("pressure_MPa", {-1e3, 1e3});
+    if (!table.has("path")) factor = number(table, pressure_entry());
     pressure.amplitude = add_amplitude(c.model, read_path(table, table.real("duration_s", 1, {1e-6, 1e6}), factor));
     pressure.value = factor;
     c.model.pressures.push_back(std::move(pressure));
   }
   for (const auto& table : settings.tables("spring")) {
-    const double stiffness = table.real("stiffness_N_mm3", {0, 1e6});
+    const double stiffness = number(table, spring_entry());
     for (int node : chosen_nodes(table, c.mesh)) c.model.springs.push_back({node, stiffness * areas.at(node)});
   }
 }
@@ -132,8 +147,12 @@ contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
   if (!settings.has("path")) largest = tool.force_controlled ? settings.real("force_N", {1e-9, 1e6}) : settings.real("depth_mm", {1e-6, 1e3});
   tool.ramp = read_path(settings, tool.force_controlled ? settings.real("duration_s", 1, {1e-6, 1e6}) : tool.depth / speed, largest);
   if (settings.has("turn")) read_turn(settings.table("turn"), tool);
-  if (settings.flag("sticking", false)) tool.friction = std::numeric_limits<double>::infinity();
-  else tool.friction = settings.real("friction", 0, {0, 10});
+  const bool sticks = settings.flag("sticking", false);
+  const double friction = sticks ? std::numeric_limits<double>::infinity() : settings.real("friction", 0, {0, 10});
+  if (friction > 0) tool.tractions.push_back({effects::friction(), {friction}});
+  for (const auto& given : c.effects)
+    if (given.effect.traction.respond && given.parameters[0] != 0 && (given.tool == 0 || given.tool == static_cast<int>(c.model.tools.size()) + 1))
+      tool.tractions.push_back(given);
   aim = eigen(settings.vec3("aim_mm"));
   if (contact::find_first_contact(tool, aim, surface_points(c, nullptr))) return tool;
   Eigen::AlignedBox3d box;
@@ -152,6 +171,16 @@ std::vector<Vector3d> surface_points(const Case& c, const implicit::State* state
   return points;
 }
 
+std::vector<CatalogueEntry> load_entries() {
+  return {gravity_entry(), pressure_entry(), spring_entry()};
+}
+
+void plan_settling(Case& c, int steps) {
+  c.settling.times.clear();
+  for (int i = 0; i <= steps; ++i) c.settling.times.push_back(-1 + double(i) / steps);
+  c.settling.times.back() = 0;
+}
+
 void read_loads(const Settings& settings, Case& c) {
   std::set<int> held;
   read_base(settings, c, held);
@@ -159,10 +188,9 @@ void read_loads(const Settings& settings, Case& c) {
   read_forces_and_springs(settings, c);
   if (!settings.has("gravity")) return;
   const Settings gravity = settings.table("gravity");
-  c.model.gravity = gravity.real("acceleration_m_s2", 9.81, {0, 1e3}) * direction(gravity, "direction");
-  const int steps = static_cast<int>(gravity.integer("steps", 4, {1, 1000}));
-  for (int i = 0; i <= steps; ++i) c.settling.times.push_back(-1 + double(i) / steps);
-  c.settling.times.back() = 0;
+  const Parameter weight = gravity_entry().parameters.front();
+  c.model.gravity = gravity.real("acceleration_m_s2", weight.typical, weight.range) * direction(gravity, "direction");
+  plan_settling(c, static_cast<int>(gravity.integer("steps", 4, {1, 1000})));
   c.model.body_amplitude = add_amplitude(c.model, {{{-1, 0}, {0, 1}}});
 }
 

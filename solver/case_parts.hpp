@@ -21,8 +21,7 @@ const Entry& named(const std::vector<Entry>& entries, const Settings& settings, 
 /// Its parameters, in the entry's order.
 inline std::vector<double> parameters(const CatalogueEntry& entry, const Settings& settings) {
   std::vector<double> values;
-  for (const auto& p : entry.parameters)
-    values.push_back(p.may_be_left_out() ? settings.real(p.name, p.fallback, p.range) : settings.real(p.name, p.range));
+  for (const auto& p : entry.parameters) values.push_back(settings.real(p.name, p.range));
   return values;
 }
 
@@ -34,7 +33,10 @@ std::vector<std::string> region_names(const TetMesh& mesh);
 /// [base], [[displacement]], [[force]], [[pressure]], [[spring]], [gravity] into the model.
 void read_loads(const Settings& settings, Case& c);
 
-/// [[effect]] into the materials.
+/// What acts before the tools come grows from t = −1 to 0.
+void plan_settling(Case& c, int steps);
+
+/// [[effect]] into the model; what is on tools waits for them in Case::effects.
 void read_effects(const Settings& settings, Case& c);
 
 /// [tool] or [[tool]] into the model, at first contact with the organ at rest.

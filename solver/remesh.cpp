@@ -17,7 +17,7 @@ void write_deformed(const fs::path& path, const Case& c, const implicit::State& 
   Field rest{"rest", 3, {}};
   for (std::size_t n = 0; n < now.points.size(); ++n) {
     rest.values.insert(rest.values.end(), now.points[n].begin(), now.points[n].end());
-    for (int k = 0; k < 3; ++k) now.points[n][k] += state.displacement(static_cast<int>(n))(k);
+    for (int k = 0; k < 3; ++k) now.points[n][k] = c.model.points[n](k) + state.displacement(static_cast<int>(n))(k);
   }
   write_mesh(path, now, {rest}, {{"target_mm", 1, marks}});
 }

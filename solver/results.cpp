@@ -168,7 +168,7 @@ void ResultFolder::write_frame(const implicit::Step& step) {
   }
   std::ostringstream name;
   name << "frames/frame_" << std::setw(4) << std::setfill('0') << frame_count_++ << ".vtu";
-  write_mesh(folder_ / name.str(), case_->mesh, {displacement, pressure}, {von_mises, J});
+  write_mesh(folder_ / name.str(), rest_mesh(*case_), {displacement, pressure}, {von_mises, J});
   files_.push_back(name.str());
   frames_ += "    <DataSet timestep=\"" + number(step.state.time) + "\" part=\"0\" file=\"" + name.str() + "\"/>\n";
 }

@@ -40,6 +40,9 @@ std::pair<double, Case> moved_case(const Settings& settings, const std::filesyst
   throw std::logic_error("unreachable");
 }
 
+/// Whether the driven tool's depth is not given but found.
+bool depth_answers(const Case& c) { return !c.model.tools.empty() && c.model.tools.front().force_controlled; }
+
 /// Values of the prescribed displacements at a time, 0 elsewhere.
 VectorXd prescribed(const implicit::Model& model, double time) {
   VectorXd values = VectorXd::Zero(4 * model.points.size());
@@ -74,8 +77,6 @@ Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::pa
       still_(std::make_unique<Shadow>("", 0, read_case(settings, mesh_override), threads)),
       scratch_(matrix_of(still_->the_case.model)) {
   if (numbers.empty()) throw Failure(ExitCode::misuse, "no numbers to differentiate by", "--sensitivities", "a path such as material.mu");
-  if (implicit::has_force_control(still_->the_case.model))
-    throw Failure(ExitCode::misuse, "no sensitivities of a run with a tool controlled by force", settings.where("tool"), "control it by depth");
   table_ = "t[s]";
   for (const auto& path : numbers) {
     auto [change, moved] = moved_case(settings, mesh_override, path);
@@ -83,6 +84,7 @@ Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::pa
     std::vector<std::string> forces = {"F", "Fx", "Fy", "Fz"};
     for (std::size_t i = 2; i <= still_->the_case.model.tools.size(); ++i)
       for (const char* component : {"Fx", "Fy", "Fz"}) forces.push_back(component + std::to_string(i));
+    if (depth_answers(still_->the_case)) forces.push_back("depth");
     for (const auto& force : forces) table_ += ",d" + force + "/d(" + path + ")";
   }
   table_ += "\n";
@@ -114,7 +116,7 @@ void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equili
 
 void Sensitivities::keep(Archive& archive) {
   const auto keep_one = [&](Shadow& shadow) {
-    archive(shadow.state, shadow.force_rates);
+    archive(shadow.state, shadow.force_rates, shadow.depth_rate);
     for (auto& tool : shadow.the_case.model.tools) archive(tool.first_contact);
   };
   keep_one(*still_);
@@ -130,18 +132,23 @@ void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
   shadow.state.bubbles = found.bubbles;
   shadow.state.contact_pressures = found.contact_pressures;
   shadow.state.pair_pressures = found.pair_pressures;
+  shadow.state.travels = found.travels;
   shadow.state.time = found.time;
   shadow.equations = shadow.assembly(shadow.state, scratch_);
 }
 
 /// By the number at fixed displacements, and by the displacements along the tangent: to first order in exact arithmetic the forces of the
 /// shadow where it stands aside, but its contact would round them.
-std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const VectorXd& change) const {
+std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const implicit::Increment& step) const {
+  const VectorXd& change = step.nodal;
   const auto& tools = shadow.equations.contact.tools;
   const auto& still = still_->equations;
   std::vector<Vector3d> rates;
-  for (std::size_t i = 0; i < tools.size(); ++i)
-    rates.push_back((tools[i].force - still.contact.tools[i].force + still_->assembly.tool_force_change(static_cast<int>(i), still_->state, change)) / shadow.change);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    VectorXd against_tool = change;  // only the place of organ and tool against each other counts
+    for (int at = 0; at < against_tool.size(); at += 4) against_tool.segment<3>(at) -= step.travels[i] * still_->the_case.model.tools[i].axis;
+    rates.push_back((tools[i].force - still.contact.tools[i].force + still_->assembly.tool_force_change(static_cast<int>(i), still_->state, against_tool)) / shadow.change);
+  }
   if (!tools.empty() || still_->the_case.moved.empty()) return rates;
   const VectorXd residual = shadow.equations.residual - still.residual + equilibrium_->tangent().multiply(change);
   rates.push_back(Vector3d::Zero());
@@ -150,13 +157,16 @@ std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const Vec
 }
 
 /// From the run's displacements to its own: what it remembers of the step is of there.
-void Sensitivities::step_aside(Shadow& shadow, const VectorXd& change) {
+void Sensitivities::step_aside(Shadow& shadow, const implicit::Increment& step) {
   const auto& model = shadow.the_case.model;
-  if (shadow.state.memory.empty() && shadow.state.slips.empty()) return;
-  const implicit::Increment step{change, std::vector<double>(model.tools.size(), 0.0)};
+  if (shadow.state.memory.empty() && shadow.state.slips.empty()) {
+    shadow.state.nodal += step.nodal;  // tools may come to where it is
+    return;
+  }
   auto pressures = shadow.assembly.next_pressures(shadow.state, shadow.equations.contact, step, shadow.state.time, 1);
   auto pair_pressures = shadow.assembly.next_pair_pressures(shadow.state, shadow.equations.contact, step, 1);
-  shadow.state.nodal += change;
+  shadow.state.nodal += step.nodal;
+  for (std::size_t i = 0; i < step.travels.size(); ++i) shadow.state.travels[i] += step.travels[i];
   shadow.state.contact_pressures = std::move(pressures);
   shadow.state.pair_pressures = std::move(pair_pressures);
   const auto equations = shadow.assembly(shadow.state, scratch_);  // solves the bubbles there
@@ -174,10 +184,46 @@ void Sensitivities::follow(const implicit::State& found) {
     residual_changes.col(k) = shadow.equations.residual - still_->equations.residual;
     prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
   }
-  const MatrixXd changes = equilibrium_->response(residual_changes, prescribed_changes);
-  for (int k = 0; k < count; ++k) shadows_[k]->force_rates = force_rates(*shadows_[k], changes.col(k));
-  for (int k = 0; k < count; ++k) step_aside(*shadows_[k], changes.col(k));
-  step_aside(*still_, VectorXd::Zero(found.nodal.size()));
+  const auto steps = responses(residual_changes, prescribed_changes);
+  for (int k = 0; k < count; ++k) {
+    shadows_[k]->force_rates = force_rates(*shadows_[k], steps[k]);
+    shadows_[k]->depth_rate = steps[k].travels.empty() ? 0 : steps[k].travels.front() / shadows_[k]->change;
+  }
+  for (int k = 0; k < count; ++k) step_aside(*shadows_[k], steps[k]);
+  step_aside(*still_, {VectorXd::Zero(found.nodal.size()), std::vector<double>(still_->the_case.model.tools.size(), 0.0)});
+}
+
+/// Of the nodes, and of the tools whose force is given: [K b; c d][x; s] = −[r; e] by elimination of the nodes, as in a Newton step.
+std::vector<implicit::Increment> Sensitivities::responses(const MatrixXd& residual_changes, const MatrixXd& prescribed_changes) {
+  const auto& model = still_->the_case.model;
+  const auto& sums = still_->equations.contact.tools;
+  std::vector<int> free;
+  for (std::size_t i = 0; i < model.tools.size(); ++i)
+    if (model.tools[i].force_controlled && sums[i].area > 0) free.push_back(static_cast<int>(i));
+  const int count = static_cast<int>(residual_changes.cols()), more = static_cast<int>(free.size());
+  MatrixXd residuals(residual_changes.rows(), count + more), prescribed = MatrixXd::Zero(residual_changes.rows(), count + more);
+  residuals.leftCols(count) = residual_changes;
+  prescribed.leftCols(count) = prescribed_changes;
+  for (int j = 0; j < more; ++j) residuals.col(count + j) = sums[free[j]].by_travel;
+  const MatrixXd x = equilibrium_->response(residuals, prescribed);
+  MatrixXd stiffness(more, more);
+  for (int i = 0; i < more; ++i) {
+    for (int j = 0; j < more; ++j) stiffness(i, j) = sums[free[i]].along_by_nodes.dot(x.col(count + j));
+    for (int at = 0; at < x.rows(); at += 4) stiffness(i, i) -= sums[free[i]].by_travel.segment<3>(at).dot(model.tools[free[i]].axis);
+  }
+  std::vector<implicit::Increment> steps;
+  for (int k = 0; k < count; ++k) {
+    steps.push_back({x.col(k), std::vector<double>(model.tools.size(), 0.0)});
+    VectorXd left(more);
+    for (int i = 0; i < more; ++i)
+      left(i) = sums[free[i]].excess - shadows_[k]->equations.contact.tools[free[i]].excess - sums[free[i]].along_by_nodes.dot(x.col(k));
+    const VectorXd travels = more > 0 ? VectorXd(stiffness.partialPivLu().solve(left)) : left;
+    for (int j = 0; j < more; ++j) {
+      steps[k].travels[free[j]] = travels(j);
+      steps[k].nodal += travels(j) * x.col(count + j);
+    }
+  }
+  return steps;
 }
 
 void Sensitivities::add(const implicit::Step& step) {
@@ -192,6 +238,7 @@ void Sensitivities::add(const implicit::Step& step) {
     const Vector3d turn = (driven_direction(shadow->the_case) - direction) / shadow->change;
     row << "," << rates[0].dot(direction) + still.vector.dot(turn);
     for (const auto& rate : rates) row << "," << rate.x() << "," << rate.y() << "," << rate.z();
+    if (depth_answers(still_->the_case)) row << "," << (step.index > 0 ? shadow->depth_rate : 0);
   }
   table_ += row.str() + "\n";
 }

@@ -24,6 +24,7 @@ struct Shadow {
   implicit::State state;
   implicit::Equations equations;  ///< at the run's displacements
   std::vector<Eigen::Vector3d> force_rates;  ///< of the reported forces, by the number
+  double depth_rate = 0;                     ///< of the first tool's depth, when its force is given, mm per unit of the number
 
   Shadow(std::string number, double by, Case moved, int threads);
   Shadow(const Shadow&) = delete;  // the assembly refers to the case
@@ -31,8 +32,7 @@ struct Shadow {
 
 class Sensitivities {
  public:
-  /// `numbers`: paths as in Settings::shift. Throws Failure(misuse) for one that the case has not or that cannot be
-  /// moved, and for a tool that is controlled by force: its depth is what would answer.
+  /// `numbers`: paths as in Settings::shift. Throws Failure(misuse) for one that the case has not or that cannot be moved.
   Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
                 implicit::Equilibrium& equilibrium, int threads);
 
@@ -47,13 +47,14 @@ class Sensitivities {
   void add(const implicit::Step& step);
   /// What the shadows remember between two steps, and the table.
   void keep(Archive& archive);
-  /// `t[s]`, then for every number the derivatives of the history's forces by it.
+  /// `t[s]`, then for every number the derivatives of the history's forces by it; and of the depth, when the first tool's force is given.
   const std::string& table() const { return table_; }
 
  private:
   void approach(Shadow& shadow, const implicit::State& found);
-  std::vector<Eigen::Vector3d> force_rates(const Shadow& shadow, const Eigen::VectorXd& change) const;
-  void step_aside(Shadow& shadow, const Eigen::VectorXd& change);
+  std::vector<implicit::Increment> responses(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes);
+  std::vector<Eigen::Vector3d> force_rates(const Shadow& shadow, const implicit::Increment& step) const;
+  void step_aside(Shadow& shadow, const implicit::Increment& step);
 
   Settings settings_;
   int threads_;

@@ -10,15 +10,13 @@ Json finite_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr
 
 Json to_json(const CatalogueEntry& entry) {
   Json parameters = Json::array();
-  for (const Parameter& p : entry.parameters) {
+  for (const Parameter& p : entry.parameters)
     parameters.push_back({{"name", p.name},
                           {"unit", p.unit},
                           {"min", finite_or_null(p.range.min)},
                           {"max", finite_or_null(p.range.max)},
                           {"typical", p.typical},
                           {"meaning", p.meaning}});
-    if (p.may_be_left_out()) parameters.back()["default"] = p.fallback;
-  }
   return {{"kind", entry.kind},
           {"name", entry.name},
           {"sentence", entry.sentence},

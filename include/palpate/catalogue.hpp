@@ -23,9 +23,6 @@ struct Parameter {
   Range range;
   double typical = 0;
   std::string meaning;
-  double fallback = std::numeric_limits<double>::quiet_NaN();  ///< when a file leaves it out; not a number: it must be given
-
-  bool may_be_left_out() const { return fallback == fallback; }
 };
 
 struct CatalogueEntry {

@@ -1,4 +1,4 @@
-// Contact at six points a face (Dunavant 1985, degree 4): t condensed from K Δu − n Δt = −r, n·Δu + g = g(t) + g′(t) Δt.
+// Contact at six points a face (Dunavant 1985, degree 4): t condensed from K Δu − n Δt = −r, n·Δu + g = g(t) + g′(t) Δt; and the tractions that a tool has besides.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/contact/tool_contact.hpp>
 
@@ -12,27 +12,6 @@ namespace {
 using Eigen::Vector3d;
 
 double area(const std::array<Vector3d, 3>& c) { return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).norm(); }
-
-/// Coulomb's friction by a return to the cone, with a little elastic slip: the trial shear v − n (n·v), v = shear − ε Δplace, is scaled back
-/// to μ t where it is larger. (Simo and Laursen 1992, Computers & Structures 42:97, eq. 2.23–2.26; tangent with all of its terms.)
-struct Shear {
-  Vector3d value = Vector3d::Zero();
-  Eigen::Matrix3d by_place = Eigen::Matrix3d::Zero();
-};
-
-Shear shear(const Slip& slip, const Vector3d& place, const tools::Distance& d, double t, double t_stiffness, double friction, double stiffness) {
-  const Vector3d v = slip.shear - stiffness * (place - slip.place);
-  Shear trial;
-  trial.value = v - d.n * d.n.dot(v);
-  trial.by_place = -stiffness * (Eigen::Matrix3d::Identity() - d.n * d.n.transpose()) - d.n.dot(v) * d.hessian - d.n * (d.hessian * v).transpose();
-  const double size = trial.value.norm();
-  if (size <= friction * t) return trial;
-  const Vector3d m = trial.value / size;
-  Shear slipping;
-  slipping.value = friction * t * m;
-  slipping.by_place = friction * (t / size * (trial.by_place - m * (m.transpose() * trial.by_place)) - t_stiffness * m * d.n.transpose());
-  return slipping;
-}
 
 /// What is remembered, turned with the tool.
 Slip seen_now(const Tool& tool, const Pose& pose, const Slip& slip) {
@@ -48,10 +27,21 @@ bool out_of_reach(const Tool& tool, const Pose& pose, const Face& face) {
   double reach = 0;
   for (const auto& corner : face.now) reach = std::max(reach, (corner - centre).norm());
   const bool relaxed = std::all_of(face.pressures, face.pressures + points_per_face, [](double t) { return t == 0; });
-  return relaxed && tool.distance(centre, pose).g > reach;
+  return relaxed && tool.distance(centre, pose).g > reach + tool.reach();
 }
 
 }  // namespace
+
+bool Tool::holds_on() const {
+  return std::any_of(tractions.begin(), tractions.end(), [](const auto& active) { return active.effect.traction.holds_on; });
+}
+
+double Tool::reach() const {
+  double farthest = 0;
+  for (const auto& [effect, values] : tractions)
+    if (effect.traction.reach) farthest = std::max(farthest, effect.traction.reach(values));
+  return farthest;
+}
 
 Eigen::Matrix3d Tool::frame() const {
   const Vector3d z = -axis;
@@ -93,29 +83,36 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
     const auto [gap, stiffness] = law;
     const double t = law.pressure(carried, d.g);
     result.penetration = std::max(result.penetration, -d.g / size);
-    if (!(t > 0)) {
-      result.mismatch = std::max(result.mismatch, carried / softness);
-      continue;
-    }
+    const bool presses = t > 0;
+    if (!presses) result.mismatch = std::max(result.mismatch, carried / softness);
+    if (!presses && !(d.g < tool.reach())) continue;
     result.touched = true;
-    result.points[q] = {t, stiffness, d.n, Vector3d::Zero()};
-    result.mismatch = std::max(result.mismatch, std::abs(gap - d.g) / deepest);
-    const double w = weight * rest_area;
-    result.force += w * t * d.n;
-    result.area += weight * now_area;
-    // Where a trial state is deep inside the tool, the pressure it asks for must not bend the surface: the curvature term stops there.
-    const double curving = std::min(t, carried + 2 * softness);
-    Eigen::Matrix3d k = w * (stiffness * d.n * d.n.transpose() - curving * d.hessian);
-    if (face.slips) {
-      const Shear s = shear(seen_now(tool, pose, face.slips[q]), x - pose.travel * tool.axis, d, t, stiffness, tool.friction, softness / deepest);
-      result.points[q].shear = s.value;
-      result.force += w * s.value;
-      k -= w * s.by_place;
-      for (int a = 0; a < 3; ++a) result.residual.segment<3>(3 * a) -= w * N[a] * s.value;
+    effects::Traction traction;
+    if (presses) {
+      result.points[q] = {t, stiffness, d.n};
+      result.mismatch = std::max(result.mismatch, std::abs(gap - d.g) / deepest);
+      result.area += weight * now_area;
+      // Where a trial state is deep inside the tool, the pressure it asks for must not bend the surface: the curvature term stops there.
+      const double curving = std::min(t, carried + 2 * softness);
+      traction = {t * d.n, curving * d.hessian - stiffness * d.n * d.n.transpose()};
     }
+    for (const auto& [effect, values] : tool.tractions) {
+      const auto& socket = effect.traction;
+      if (!presses && !socket.reach) continue;
+      const auto more = socket.respond({x - pose.travel * tool.axis, d, presses ? t : 0, presses ? stiffness : 0, softness / deepest,
+                                        face.slips ? seen_now(tool, pose, face.slips[q]) : Slip{}},
+                                       values);
+      traction.value += more.value;
+      traction.by_place += more.by_place;
+      if (!socket.holds_on) continue;
+      result.points[q].shear = more.value;
+      result.points[q].slides = more.slides;
+    }
+    const double w = weight * rest_area;
+    result.force += w * traction.value;
     for (int a = 0; a < 3; ++a) {
-      result.residual.segment<3>(3 * a) -= w * t * N[a] * d.n;
-      for (int b = 0; b < 3; ++b) result.tangent.block<3, 3>(3 * a, 3 * b) += N[a] * N[b] * k;
+      result.residual.segment<3>(3 * a) -= w * N[a] * traction.value;
+      for (int b = 0; b < 3; ++b) result.tangent.block<3, 3>(3 * a, 3 * b) -= w * N[a] * N[b] * traction.by_place;
     }
   }
   return result;
@@ -160,9 +157,6 @@ bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vecto
 std::vector<CatalogueEntry> entries() {
   return {{"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, perturbed Lagrangian at six points a face",
            "Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163", {}},
-          {"contact", "coulomb", "shear up to friction times pressure, after a little elastic slip; sticking = true: without bound",
-           "Simo and Laursen 1992, Computers & Structures 42:97, eq. 2.23-2.26",
-           {{"friction", "1", {0, 10}, 0.3, "Coulomb's coefficient, of a tool"}}},
           {"contact", "organs", "two organs, or an organ and itself, frictionless: lines along both surfaces' normals, pressures as against a tool",
            "Zimmerman and Ateshian 2018, J. Biomech. Eng. 140:081013", {}}};
 }

@@ -11,6 +11,7 @@
 #include <solver/contact/gap_law.hpp>
 #include <solver/contact/quadrature.hpp>
 #include <solver/contact/tool.hpp>
+#include <solver/effects/effect.hpp>
 
 namespace palpate::contact {
 
@@ -30,7 +31,7 @@ struct Tool {
   double depth = 0;               ///< mm
   Amplitude ramp;
   Eigen::Vector3d across = Eigen::Vector3d::Zero();  ///< the shape's x axis, as far as it is at right angles to `axis`; zero: any
-  double friction = 0;            ///< Coulomb's coefficient; infinite: what touches sticks
+  std::vector<effects::Active> tractions = {};  ///< friction, adhesion, …
 
   bool force_controlled = false;
   double force = 0;               ///< N, with force control; then there is no depth
@@ -41,6 +42,10 @@ struct Tool {
   double travel(double time) const { return depth * ramp.at(time); }
   Pose pose(double time) const { return {travel(time), turn.at(time)}; }
   bool turns() const { return !spin.isZero(); }
+  /// Whether a traction remembers where points were.
+  bool holds_on() const;
+  /// Gap up to which a traction acts, mm.
+  double reach() const;
   Eigen::Matrix3d rotation(double angle) const { return Eigen::AngleAxisd(angle, spin).toRotationMatrix(); }
   /// The point of the axis of turning, mm.
   Eigen::Vector3d pivot_now(const Pose& pose) const { return first_contact + pivot + pose.travel * axis; }
@@ -52,18 +57,11 @@ struct Tool {
   tools::Distance distance(const Eigen::Vector3d& x, const Pose& pose) const;
 };
 
-/// What friction remembers of a point: where it was, seen from the tool, and the shear it carried (turned back with the tool), when the
-/// last step was found.
-struct Slip {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm
-  Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< MPa
-};
-
 /// A face's corners, now and at rest, with the pressures its points carry.
 struct Face {
   std::array<Eigen::Vector3d, 3> rest, now;
   const double* pressures = nullptr;  ///< points_per_face of them, MPa, not negative
-  const Slip* slips = nullptr;        ///< points_per_face of them, for a tool with friction
+  const Slip* slips = nullptr;        ///< points_per_face of them, for a tool that holds on
 };
 
 /// A contact point seen from one Newton step: t and g(t) linearised at the pressure it carries.
@@ -72,6 +70,7 @@ struct Point {
   double stiffness = 0;  ///< −dt/dg, MPa/mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< out of the tool
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();   ///< of the tool on the organ, MPa
+  bool slides = false;
 };
 
 /// What a face in contact adds to the equations, and to the tool's reaction.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <palpate/catalogue.hpp>
+#include <solver/contact/touch.hpp>
 #include <solver/materials/law.hpp>
 
 namespace palpate::effects {
@@ -57,6 +58,58 @@ struct StartSocket {
   double (*thickness)(const Eigen::Vector3d& point, std::span<const double> parameters) = nullptr;
 };
 
+/// Of a surface deformed by F (3 × 2, from its plane at rest): energy per rest area in N/mm, N = ∂W/∂F, A(i + 3a, k + 3b) = ∂N_ia/∂F_kb.
+struct SurfaceResponse {
+  double W = 0;
+  Eigen::Matrix<double, 3, 2> N = Eigen::Matrix<double, 3, 2>::Zero();
+  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+/// Socket `layer`: extra elements on a surface's faces.
+struct LayerSocket {
+  SurfaceResponse (*respond)(const Eigen::Matrix<double, 3, 2>& F, std::span<const double> parameters) = nullptr;
+};
+
+/// Traction of the tool on the organ, MPa, and its derivative by the point's place, MPa/mm.
+struct Traction {
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d by_place = Eigen::Matrix3d::Zero();
+  bool slides = false;
+};
+
+/// What slid is remembered with this part less of its shear: when nothing moves on, it sticks, and rounding does not decide.
+constexpr double inside_the_cone = 1e-5;
+
+/// Socket `traction`, at a point of contact with a tool, besides the contact's own pressure.
+struct TractionSocket {
+  Traction (*respond)(const contact::Touch& touch, std::span<const double> parameters) = nullptr;
+  /// Gap up to which it acts, mm; without: only where there is pressure.
+  double (*reach)(std::span<const double> parameters) = nullptr;
+  bool holds_on = false;  ///< it needs Touch::before, and its value is what is remembered as the shear there; not symmetric
+};
+
+/// A point of a region of the surface, as effects on the forces see it.
+struct Held {
+  Eigen::Vector3d displacement;  ///< mm
+  Eigen::Vector3d normal;        ///< unit, outward, of the rest shape
+};
+
+/// Traction on the organ per area at rest, MPa, and its derivative by the displacement, MPa/mm.
+struct Push {
+  Eigen::Vector3d traction = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d by_displacement = Eigen::Matrix3d::Zero();
+};
+
+/// Socket `force`, on a region of the surface.
+struct ForceSocket {
+  /// Doubles that a point remembers; zero at rest.
+  int (*memory)(std::span<const double> parameters) = nullptr;
+  Push (*respond)(const Held& at, std::span<const double> memory, std::span<const double> parameters) = nullptr;
+  /// Writes the memory that an accepted step leaves.
+  void (*remember)(const Held& at, std::span<double> memory, std::span<const double> parameters) = nullptr;
+  bool (*symmetric)(std::span<const double> parameters) = nullptr;  ///< whether the derivative is
+};
+
 /// It fits one socket. With the parameters that may be left out left out, the first one is the amplitude: 0 switches the effect off.
 struct Effect {
   CatalogueEntry entry;     ///< kind "effect"
@@ -64,13 +117,26 @@ struct Effect {
   StressSocket stress = {};
   /// What is wrong with parameters that lie in their ranges but do not go together; empty: nothing. May be absent.
   std::string (*objection)(std::span<const double> parameters) = nullptr;
+  std::vector<double> fallbacks = {};  ///< of the last parameters: those may be left out
   StartSocket start = {};
+  LayerSocket layer = {};
+  TractionSocket traction = {};
+  ForceSocket force = {};
 };
 
 /// The socket that it fits.
 inline const char* socket(const Effect& effect) {
   if (effect.stress.respond) return "stress";
+  if (effect.layer.respond) return "layer";
+  if (effect.traction.respond) return "traction";
+  if (effect.force.respond) return "force";
   return "start";
+}
+
+/// What a parameter is when it is left out, or null.
+inline const double* fallback(const Effect& effect, std::size_t parameter) {
+  const std::size_t required = effect.entry.parameters.size() - effect.fallbacks.size();
+  return parameter < required ? nullptr : &effect.fallbacks[parameter - required];
 }
 
 /// An effect with its numbers.
@@ -78,6 +144,9 @@ struct Active {
   Effect effect;
   std::vector<double> parameters;
 };
+
+/// What `friction` and `sticking` of a tool mean.
+Effect friction();
 
 /// Every effect of the folder, in alphabetical order (generated).
 std::vector<Effect> all();

@@ -21,7 +21,8 @@ Effect inclusion() {
                      {"y_mm", "mm", {-1e4, 1e4}, 0, "its middle"},
                      {"z_mm", "mm", {-1e4, 1e4}, 0, "its middle"},
                      {"radius_mm", "mm", {1e-3, 1e3}, 5, "its radius, to the middle of its edge"},
-                     {"edge_mm", "mm", {1e-3, 1e3}, 1, "width over which the stiffness changes: about a tetrahedron's", 1}}},
+                     {"edge_mm", "mm", {1e-3, 1e3}, 1, "width over which the stiffness changes: about a tetrahedron's"}}},
+          .fallbacks = {1},
           .start = {.begin = begin}};
 }
 

@@ -38,12 +38,13 @@ Effect thickness() {
                      {"axis_x", "1", {-1e3, 1e3}, 0, "direction in which thickness is meant; need not be a unit vector"},
                      {"axis_y", "1", {-1e3, 1e3}, 0, "of that direction"},
                      {"axis_z", "1", {-1e3, 1e3}, 1, "of that direction"},
-                     {"x_mm", "mm", {-1e4, 1e4}, 0, "a point that stays where it is: of the base, in the middle of the zone", 0},
-                     {"y_mm", "mm", {-1e4, 1e4}, 0, "of that point", 0},
-                     {"z_mm", "mm", {-1e4, 1e4}, 0, "of that point", 0},
-                     {"radius_mm", "mm", {1e-3, 1e9}, 8, "of the zone around the line through the point along the direction", 1e9},
-                     {"edge_mm", "mm", {1e-3, 1e9}, 4, "width over which the thickness changes", 1}}},
+                     {"x_mm", "mm", {-1e4, 1e4}, 0, "a point that stays where it is: of the base, in the middle of the zone"},
+                     {"y_mm", "mm", {-1e4, 1e4}, 0, "of that point"},
+                     {"z_mm", "mm", {-1e4, 1e4}, 0, "of that point"},
+                     {"radius_mm", "mm", {1e-3, 1e9}, 6, "of the zone around the line through the point along the direction"},
+                     {"edge_mm", "mm", {1e-3, 1e9}, 4, "width over which the thickness changes"}}},
           .objection = objection,
+          .fallbacks = {0, 0, 0, 1e9, 1},
           .start = {.shape = shape, .thickness = thickness}};
 }
 

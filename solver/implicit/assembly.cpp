@@ -90,7 +90,7 @@ contact::Face Assembly::face_at(int index, int f, const State& state) const {
   for (int a = 0; a < 3; ++a) face.rest[a] = model_.points[model_.faces[f][a]];
   face.now = corners_now(model_, state, f);
   face.pressures = &state.contact_pressures[first_point(index, f)];
-  if (model_.tools[index].friction > 0) face.slips = &state.slips[first_point(index, f)];
+  if (model_.tools[index].holds_on()) face.slips = &state.slips[first_point(index, f)];
   return face;
 }
 
@@ -170,6 +170,8 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
   if (equations.fault != elements::ElementFault::none) return equations;
   add_loads(state, equations, tangent);
   add_pressures(state, equations, tangent);
+  add_layers(state, equations, tangent);
+  add_region_forces(state, equations, tangent);
   for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
   add_organ_contact(meetings, state, equations, tangent);
   return equations;
@@ -229,7 +231,7 @@ Eigen::Vector3d Assembly::loads(const State& state) const {
   for (std::size_t e = 0; e < model_.tets.size(); ++e) sum += rest_[e].volume / 4 * body_force_[e].rowwise().sum();
   sum *= model_.amplitudes[model_.body_amplitude].at(state.time);
   for (const auto& force : model_.nodal_forces) sum += model_.amplitudes[force.amplitude].at(state.time) * force.value;
-  sum += pressure_on_organs(state);
+  sum += pressure_on_organs(state) + region_forces_on_organs(state);
   for (const auto& spring : model_.springs) sum -= spring.stiffness * state.displacement(spring.node);
   return sum;
 }
@@ -241,6 +243,7 @@ void Assembly::remember(State& state) const {
       if (memory_starts_[e + 1] > memory_starts_[e])
         elements::remember(rest_[e], model_.materials[model_.tet_material[e]], element_state(model_, state, e, memory_starts_[e]), &memory[memory_starts_[e]]);
   });
+  remember_region_forces(state, memory);
   state.memory = std::move(memory);
   state.memory_time = state.time;
 }

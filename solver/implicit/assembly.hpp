@@ -69,7 +69,7 @@ class Assembly {
   std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Increment& step, double time, double length) const;
   /// Change of a tool's force on the organ when the nodes of `state` change by `step`, to first order, N.
   Eigen::Vector3d tool_force_change(int tool, const State& state, const Eigen::VectorXd& step) const;
-  /// Sum of gravity, body forces, nodal forces, pressures and springs on the organs, N.
+  /// Sum of gravity, body forces, nodal forces, pressures, springs and region forces on the organs, N.
   Eigen::Vector3d loads(const State& state) const;
   /// The tissue remembers `state`, which is accepted: its memory and memory_time become those of this state.
   void remember(State& state) const;
@@ -81,6 +81,10 @@ class Assembly {
   void add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_pressures(const State& state, Equations& equations, BlockMatrix& tangent) const;
   Eigen::Vector3d pressure_on_organs(const State& state) const;
+  void add_layers(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  Eigen::Vector3d region_forces_on_organs(const State& state) const;
+  void remember_region_forces(const State& state, std::vector<double>& memory) const;
   void sum_up(int tool, const contact::FaceContact& contact, const std::array<int, 3>& nodes, const contact::Face& face,
               const contact::Pose& pose, ToolSums& sums) const;
   using Meetings = std::vector<std::vector<contact::Meeting>>;  ///< pass by pass

@@ -52,6 +52,14 @@ std::vector<FreeBody> free_bodies(const Model& model) {
   for (const auto& spring : model.springs)
     for (int c = 0; c < 3; ++c)
       if (spring.stiffness > 0) hold(spring.node, c);
+  for (const auto& bed : model.region_forces) {
+    const std::vector<double> at_rest(bed.memory(), 0.0);
+    for (const auto& point : bed.points) {
+      const Eigen::Matrix3d stiffness = bed.effect.force.respond({Eigen::Vector3d::Zero(), point.normal}, at_rest, bed.parameters).by_displacement;
+      for (int c = 0; c < 3; ++c)
+        if (stiffness(c, c) < 0) hold(point.node, c);
+    }
+  }
   std::vector<FreeBody> list;
   for (int b = 0; b < count; ++b) {
     if (nodes[b] == 0) continue;

@@ -7,7 +7,7 @@
 namespace palpate::contact {
 
 inline void keep(Archive& a, Slip& x) { a(x.place, x.shear); }
-inline void keep(Archive& a, Point& x) { a(x.pressure, x.stiffness, x.normal, x.shear); }
+inline void keep(Archive& a, Point& x) { a(x.pressure, x.stiffness, x.normal, x.shear, x.slides); }
 inline void keep(Archive& a, PairPoint& x) { a(x.gap, x.pressure, x.stiffness, x.mismatch, x.normal, x.gap_by_corners, x.residual, x.tangent); }
 
 }  // namespace palpate::contact

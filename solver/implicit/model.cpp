@@ -17,13 +17,15 @@ State rest_state(const Model& model) {
   std::size_t pair_points = 0;
   for (const auto& pass : model.passes) pair_points += contact::points_per_face * pass.own.size();
   state.pair_pressures.assign(pair_points, 0.0);
-  state.memory.assign(memory_starts(model).back(), 0.0);
+  std::size_t memory = memory_starts(model).back();
+  for (const auto& bed : model.region_forces) memory += bed.memory() * bed.points.size();
+  state.memory.assign(memory, 0.0);
   if (has_friction(model)) remember_slips(model, {}, state);
   return state;
 }
 
 bool has_friction(const Model& model) {
-  return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.friction > 0; });
+  return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.holds_on(); });
 }
 
 bool has_force_control(const Model& model) {
@@ -48,6 +50,8 @@ bool has_potential(const Model& model, const FacePressure& pressure, const std::
 
 bool is_conservative(const Model& model) {
   if (has_friction(model) || !model.passes.empty()) return false;
+  for (const auto& bed : model.region_forces)
+    if (!bed.effect.force.symmetric(bed.parameters)) return false;
   std::map<int, int> held;  // components of each node, one bit each
   for (const auto& p : model.prescribed)
     if (p.component < 3) held[p.node] |= 1 << p.component;
@@ -103,7 +107,9 @@ void remember_slips(const Model& model, const std::vector<contact::Point>& point
     for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) {
       const auto corners = corners_now(model, state, f);
       for (int q = 0; q < contact::points_per_face; ++q, ++at) {
-        state.slips[at] = {contact::place(tool, now, corners, q), at < points.size() ? points[at].shear : Eigen::Vector3d::Zero()};
+        state.slips[at].place = contact::place(tool, now, corners, q);
+        state.slips[at].shear = at < points.size() ? points[at].shear : Eigen::Vector3d::Zero();
+        if (at < points.size() && points[at].slides) state.slips[at].shear *= 1 - effects::inside_the_cone;
         if (tool.turns()) state.slips[at].shear = tool.rotation(now.angle).transpose() * state.slips[at].shear;
       }
     }

@@ -40,6 +40,23 @@ struct FacePressure {
   int amplitude = 0;
 };
 
+/// A layer on faces; it grows from nothing between t = −1 and 0.
+struct Layer : effects::Active {
+  std::vector<int> faces;
+};
+
+/// What holds or loads a region of the surface, shared among its nodes.
+struct RegionForce : effects::Active {
+  struct Point {
+    int node = 0;
+    double area = 0;         ///< at rest, mm²
+    Eigen::Vector3d normal;  ///< at rest, unit
+  };
+  std::vector<Point> points;
+
+  int memory() const { return effect.force.memory(parameters); }
+};
+
 struct Model {
   std::vector<Eigen::Vector3d> points;        ///< rest positions, mm
   std::vector<std::array<int, 4>> tets;       ///< positive volume
@@ -52,6 +69,8 @@ struct Model {
   std::vector<NodalForce> nodal_forces;
   std::vector<FacePressure> pressures;
   std::vector<Spring> springs;
+  std::vector<Layer> layers;
+  std::vector<RegionForce> region_forces;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< m/s², times the materials' densities
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)> body_force;  ///< N/mm³ at a rest position, besides gravity; may be empty
   int body_amplitude = 0;                     ///< of gravity and body force
@@ -67,7 +86,7 @@ struct State {
   std::vector<contact::Slip> slips;        ///< in the same order; none without friction
   std::vector<double> pair_pressures;      ///< MPa, of contact between organs; pass by pass, own face by own face, point by point
   std::vector<double> travels;             ///< of every tool, mm; counts for those that are controlled by force
-  std::vector<double> memory;             ///< of the materials' effects, tet by tet: see elements::History
+  std::vector<double> memory;             ///< of the materials' effects, tet by tet: see elements::History; then of region forces, point by point
   double memory_time = 0;                 ///< s: of the step before, which the memory is of
   double time = 0;                        ///< s
 
@@ -99,7 +118,7 @@ std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& stat
 /// What friction is to remember of a state that was found with these contact points; none at rest.
 void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state);
 
-/// Where a tetrahedron's part of State::memory begins; one more entry, the size of all.
+/// Where a tetrahedron's part of State::memory begins; one more entry, where that of region forces does.
 std::vector<int> memory_starts(const Model& model);
 
 /// Local unknowns of a tetrahedron; its memory begins at `memory_start`.

@@ -8,13 +8,30 @@
 
 using namespace palpate;
 
+namespace {
+
+/// With its socket and with what may be left out.
+CatalogueEntry listed(const effects::Effect& effect) {
+  CatalogueEntry entry = effect.entry;
+  entry.sentence += std::string(" (") + effects::socket(effect) + ")";
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i)
+    if (const double* fallback = effects::fallback(effect, i)) {
+      std::ostringstream text;
+      text << " (default " << *fallback << ")";
+      entry.parameters[i].meaning += text.str();
+    }
+  return entry;
+}
+
+}  // namespace
+
 void usage(Usage& u) {
   u.name = "solve";
   u.sentence = "Presses an organ of tetrahedra with rigid tools and writes force, depth and deformed shapes.";
   u.details =
       "Implicit, quasi-static, incompressible or nearly so: the P1+/P1 mini-element, Newton's method with the consistent tangent, load\n"
       "steps that are halved when they fail. Tools move along their axes from where they first touch the organ, after gravity if there is\n"
-      "any; patches of the surface are held, moved, loaded or sprung; effects such as viscosity are added to the laws. scheme = \"explicit\":\n"
+      "any; patches of the surface are held, moved, loaded or sprung; effects are added: on the stress, at the start, as layers, between organ and tool. scheme = \"explicit\":\n"
       "a thin wall (palpate-mesh --kind shell) between two jaws, central differences, until the walls touch. `palpate list` shows laws,\n"
       "effects and tools with their parameters. A run that was killed goes on where the same command is given again, to the same bytes.";
   u.continues = true;
@@ -26,10 +43,8 @@ void usage(Usage& u) {
     std::vector<CatalogueEntry> entries = contact::entries();
     entries.insert(entries.begin(), elements::mini_tetrahedron_entry());
     for (const auto& law : materials::all()) entries.push_back(law.entry);
-    for (const auto& effect : effects::all()) {
-      entries.push_back(effect.entry);
-      entries.back().sentence += std::string(" (") + effects::socket(effect) + ")";
-    }
+    for (const auto& effect : effects::all()) entries.push_back(listed(effect));
+    for (const auto& load : load_entries()) entries.push_back(load);
     for (const auto& tool : tools::all()) entries.push_back(tool.entry);
     return entries;
   };

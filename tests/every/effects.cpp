@@ -142,6 +142,57 @@ std::vector<Effect> on_the_stress() {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryStress, testing::ValuesIn(on_the_stress()), [](const auto& tested) { return tested.param.entry.name; });
 
+/// N = ∂W/∂F, A = ∂N/∂F, and a turn of the surface turns N.
+TEST(EveryLayer, ForceAndTangentAreDerivatives) {
+  using Surface = Eigen::Matrix<double, 3, 2>;
+  Surface F;
+  F << 1.2, 0.1, -0.2, 0.8, 0.3, 0.15;
+  const double h = 1e-5;
+  for (const auto& effect : effects::all()) {
+    if (!effect.layer.respond) continue;
+    const auto respond = [&](const Surface& at) { return effect.layer.respond(at, typical(effect)); };
+    const auto r = respond(F);
+    const auto at = [&](int k, double step) {
+      Surface moved = F;
+      moved(k % 3, k / 3) += step;
+      return respond(moved);
+    };
+    for (int k = 0; k < 6; ++k) {
+      EXPECT_NEAR((at(k, h).W - at(k, -h).W) / (2 * h), r.N(k % 3, k / 3), 1e-8 * r.N.norm()) << effect.entry.name;
+      const Surface dN = (at(k, h).N - at(k, -h).N) / (2 * h);
+      EXPECT_LE((Eigen::Map<const Eigen::Matrix<double, 6, 1>>(dN.data()) - r.A.col(k)).norm(), 1e-8 * r.A.norm()) << effect.entry.name;
+    }
+    const Mat3 Q = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+    EXPECT_LE((respond(Q * F).N - Q * r.N).norm(), 1e-14 * r.N.norm()) << effect.entry.name;
+    EXPECT_LE(r.N.norm(), 10 * effect.entry.parameters[0].typical);
+  }
+}
+
+/// Holding, and sliding where it may.
+TEST(EveryForce, TangentIsTheDerivative) {
+  const double h = 1e-6;
+  for (const auto& effect : effects::all()) {
+    if (!effect.force.respond) continue;
+    auto values = typical(effect);
+    for (const bool more : {true, false}) {
+      if (!more) values.resize(values.size() - effect.fallbacks.size()), values.insert(values.end(), effect.fallbacks.begin(), effect.fallbacks.end());
+      std::vector<double> memory(effect.force.memory(values), 0.01);
+      for (const Eigen::Vector3d& u : {Eigen::Vector3d(0.3, -0.2, -0.4), {0.02, 0.01, -0.4}, {0.3, 0.1, 0.4}}) {
+        const auto at = [&](const Eigen::Vector3d& place) { return effect.force.respond({place, -Eigen::Vector3d(0.1, 0.2, 1).normalized()}, memory, values); };
+        const auto push = at(u);
+        for (int k = 0; k < 3; ++k) {
+          const Eigen::Vector3d d = (at(u + h * Eigen::Vector3d::Unit(k)).traction - at(u - h * Eigen::Vector3d::Unit(k)).traction) / (2 * h);
+          EXPECT_LE((d - push.by_displacement.col(k)).norm(), 1e-7 * push.by_displacement.norm() + 1e-15) << effect.entry.name;
+        }
+        if (effect.force.symmetric(values)) {
+          EXPECT_LE((push.by_displacement - push.by_displacement.transpose()).norm(), 1e-16);
+        }
+        EXPECT_LE(push.traction.dot(u - (memory.empty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d::Constant(0.01))), 0) << "it drives";
+      }
+    }
+  }
+}
+
 namespace {
 
 /// Where effects of a socket want to be told where they are.
@@ -171,7 +222,7 @@ class EveryEffect : public verify::CaseRuns, public testing::WithParamInterface<
     const auto& parameters = GetParam().entry.parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       const auto& p = parameters[i];
-      if (off && p.may_be_left_out()) continue;
+      if (off && effects::fallback(GetParam(), i)) continue;
       const bool place = i > 0 && p.range.min < 0;  // or direction: away from what the block mirrors
       out << p.name << " = " << (off && i == 0 ? 0 : place ? p.typical + 0.1 * i : p.typical) << "\n";
     }
@@ -226,11 +277,12 @@ TEST_P(EveryEffect, EntryIsComplete) {
   EXPECT_EQ(entry.kind, "effect");
   EXPECT_FALSE(entry.sentence.empty() || entry.reference.empty() || entry.parameters.empty());
   EXPECT_TRUE(entry.parameters[0].range.contains(0));
-  EXPECT_FALSE(entry.parameters[0].may_be_left_out());
-  for (const auto& p : entry.parameters) {
+  EXPECT_LT(GetParam().fallbacks.size(), entry.parameters.size());
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const auto& p = entry.parameters[i];
     EXPECT_FALSE(p.name.empty() || p.unit.empty() || p.meaning.empty());
     EXPECT_TRUE(p.range.contains(p.typical));
-    EXPECT_TRUE(!p.may_be_left_out() || p.range.contains(p.fallback));
+    EXPECT_TRUE(!effects::fallback(GetParam(), i) || p.range.contains(*effects::fallback(GetParam(), i)));
   }
 }
 

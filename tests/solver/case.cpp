@@ -129,6 +129,56 @@ TEST_F(CaseFile, EffectsGoIntoTheMaterialsOfTheirRegion) {
     EXPECT_NE(refusal(yeoh, base + ball + "[[effect]]\nname = \"prony\"\n" + prony + "\n"), "") << prony;
 }
 
+TEST_F(CaseFile, EffectsOfEverySocketGoWhereTheyBelong) {
+  const auto with = [](const std::string& effect) { return "[[effect]]\n" + effect + "\n"; };
+  const std::string lump = "name = \"inclusion\"\nexcess = 3\nx_mm = 0\ny_mm = 0\nz_mm = 2.5\nradius_mm = 4\n";
+  const Case c = read_whole(neo_hookean, base + ball + with("name = \"capsule\"\nE_h = 0.02\n" + top) + with("name = \"capsule\"\nE_h = 0.01\ntension = 0.1") +
+                                             with("name = \"friction\"\nmu = 0.2\ntool = 1") + with("name = \"adhesion\"\nwork = 0\nrange_mm = 1") +
+                                             with("name = \"support\"\nstiffness = 0.01\n" + top) + with("name = \"prestress\"\np_kPa = 2") + with(lump));
+  ASSERT_EQ(c.model.layers.size(), 2u);
+  EXPECT_EQ(c.model.layers[0].faces.size(), 8u);
+  EXPECT_EQ(c.model.layers[1].faces.size(), c.model.faces.size());
+  EXPECT_EQ(c.model.layers[0].parameters, (std::vector<double>{0.02, 0}));
+  EXPECT_EQ(c.settling.times.size(), 5u);
+  ASSERT_EQ(c.model.tools[0].tractions.size(), 1u);  // adhesion is off
+  EXPECT_TRUE(c.model.tools[0].holds_on());
+  double area = 0;
+  for (const auto& point : c.model.region_forces.at(0).points) {
+    area += point.area;
+    EXPECT_LE((point.normal - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  }
+  EXPECT_NEAR(area, 100, 1e-9);
+  EXPECT_NEAR(c.model.starts.at(0)[0].turgor, 0.002, 1e-15);
+  double stiffest = 0;
+  for (const auto& tet : c.model.starts)
+    for (const auto& start : tet) stiffest = std::max(stiffest, start.modulus);
+  EXPECT_EQ(stiffest, 4);
+  EXPECT_EQ(read_whole(neo_hookean, ball + with("name = \"support\"\nstiffness = 0.01\n" + top)).base_nodes, 0);  // holds it alone
+}
+
+TEST_F(CaseFile, ThicknessMapsTheRestShapeAndNotThePatches) {
+  const Case c = read_whole(neo_hookean, base + ball + "[[effect]]\nname = \"thickness\"\nexcess = -0.4\naxis_x = 0\naxis_y = 0\naxis_z = 2\n"
+                                                       "[[pressure]]\npressure_MPa = 0.001\n" + top);
+  const Case plain = read_whole(neo_hookean, base + ball + "[[pressure]]\npressure_MPa = 0.001\n" + top);
+  for (std::size_t i = 0; i < c.model.points.size(); ++i)
+    EXPECT_LE((c.model.points[i] - plain.model.points[i].cwiseProduct(Eigen::Vector3d(1, 1, 0.6))).norm(), 1e-14);
+  EXPECT_EQ(rest_mesh(c).points[20][2], c.model.points[20].z());
+  EXPECT_EQ(c.model.pressures[0].faces, plain.model.pressures[0].faces);
+  EXPECT_NEAR(c.model.tools[0].first_contact.z(), 3, 0.01);
+}
+
+TEST_F(CaseFile, EffectsThatAreRefused) {
+  const auto why = [&](const std::string& effect) { return refusal(neo_hookean, base + ball + "[[effect]]\n" + effect + "\n"); };
+  EXPECT_TRUE(says(why("name = \"capsul\"\nE_h = 1"), "capsule"));
+  EXPECT_TRUE(says(why("name = \"capsule\"\nE_h = 1\ntensoin = 1"), "tension"));
+  EXPECT_TRUE(says(why("name = \"capsule\"\nE_h = 1\nregion = \"block\""), "region"));
+  EXPECT_TRUE(says(why("name = \"support\"\nstiffness = 1"), "plane, box, label"));
+  EXPECT_TRUE(says(why("name = \"adhesion\"\nwork = 1\nrange_mm = 1\ntool = 2"), "tool"));
+  EXPECT_TRUE(says(why("name = \"inclusion\"\nexcess = 1\nx_mm = 90\ny_mm = 0\nz_mm = 0\nradius_mm = 2"), "changes nothing"));
+  EXPECT_TRUE(says(why("name = \"thickness\"\nexcess = 1\naxis_x = 0\naxis_y = 0\naxis_z = 0"), "no direction"));
+  EXPECT_TRUE(says(why("name = \"thickness\"\nexcess = -0.9\naxis_x = 0\naxis_y = 0\naxis_z = 1\nz_mm = 500\nradius_mm = 3\nedge_mm = 0.001"), "inside out"));
+}
+
 TEST_F(CaseFile, LoadsThatAreRefused) {
   EXPECT_NE(refusal(yeoh, ball).find("nothing holds"), std::string::npos);
   EXPECT_NE(refusal(yeoh, base).find("nothing moves"), std::string::npos);

@@ -18,10 +18,10 @@ struct Touching {
   std::array<double, contact::points_per_face> pressures;
   std::array<contact::Slip, contact::points_per_face> slips;
 
-  explicit Touching(double friction) {
-    tool.friction = friction;
+  explicit Touching(double friction, double lifted = 0) {
+    rub(tool, friction);
     now = rest;
-    for (auto& x : now) x += Vector3d(0.02, -0.01, 0.0085);  // against the ball's tip, and pushed aside
+    for (auto& x : now) x += Vector3d(0.02, -0.01, 0.0085 - lifted);  // against the ball's tip, and pushed aside
     pressures.fill(0.05);
     for (int q = 0; q < contact::points_per_face; ++q)
       slips[q] = {contact::place(tool, 0, rest, q), Vector3d(0.001, -0.002, 0.0003)};
@@ -29,7 +29,7 @@ struct Touching {
   contact::Pose pose;
 
   contact::FaceContact operator()(const std::array<Vector3d, 3>& corners) const {
-    contact::Face face{rest, corners, pressures.data(), tool.friction > 0 ? slips.data() : nullptr};
+    contact::Face face{rest, corners, pressures.data(), tool.holds_on() ? slips.data() : nullptr};
     return contact::face_contact(tool, pose, face, softness);
   }
 };
@@ -88,4 +88,17 @@ TEST(FaceContact, ShearStaysInCoulombsCone) {
   bool beyond = false;
   for (const auto& point : sticking(sticking.now).points) beyond = beyond || point.shear.norm() > 0.05 * point.pressure;
   EXPECT_TRUE(beyond);
+}
+
+TEST(Contact, ATractionThatReachesOutHasItsTangent) {
+  for (double lifted : {0.0, 0.1, 0.3}) {
+    Touching touching(0, lifted);
+    if (lifted > 0) touching.pressures.fill(0);
+    touching.tool.tractions.push_back({effect_named("adhesion"), {0.5, 0.4}});
+    expect_tangent(touching);
+    EXPECT_EQ(touching(touching.now).area > 0, lifted == 0);
+    if (lifted > 0) {
+      EXPECT_GT(touching(touching.now).force.z(), 1e-6);  // towards the tool, which comes from above
+    }
+  }
 }

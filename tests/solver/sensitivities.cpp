@@ -97,6 +97,78 @@ motion_mm = [0.2, 0.0, -0.6]
                       "displacement[0].motion_mm[2]", "force[0].total_N[0]"});
 }
 
+/// Its depth is what answers.
+TEST_F(SensitivitiesOfARun, AToolWhoseForceIsGiven) {
+  write(R"(
+[material]
+law = "fung_demiray"
+mu = 0.0067
+b = 1.3
+[[effect]]
+name = "prony"
+g = 0.3
+tau_s = 1.0
+[tool]
+kind = "ball"
+control = "force"
+radius_mm = 3.0
+aim_mm = [0.3, 0.2, 5.0]
+axis = [0.1, 0.0, -1.0]
+force_N = 0.06
+friction = 0.2
+duration_s = 1
+[[pressure]]
+pressure_MPa = 0.0002
+box = { min_mm = [4.9, -6, 1], max_mm = [6, 6, 6] }
+[steps]
+count = 6
+)" + base);
+  expect_derivatives({"material.mu", "material.b", "effect[0].g", "tool.force_N", "tool.radius_mm", "tool.aim_mm[0]", "tool.friction", "pressure[0].pressure_MPa"});
+}
+
+TEST_F(SensitivitiesOfARun, PressureAndATurningTool) {
+  write(R"(
+[material]
+law = "neo_hookean"
+mu = 0.0067
+[tool]
+kind = "box"
+width_mm = 2.0
+length_mm = 20.0
+height_mm = 5.0
+edge_radius_mm = 0.5
+aim_mm = [0.3, 0.2, 5.0]
+axis = [0.0, 0.0, -1.0]
+depth_mm = 0.8
+turn = { about = [0, 1, 0.3], from_tip_mm = [0, 0, 9], path = [[0, 0], [0.8, 3]] }
+[[pressure]]
+pressure_MPa = 0.0005
+box = { min_mm = [4.9, -6, 1], max_mm = [6, 6, 6] }
+[steps]
+count = 5
+)" + base);
+  expect_derivatives({"pressure[0].pressure_MPa", "tool.depth_mm", "tool.turn.from_tip_mm[2]", "tool.turn.about[2]", "tool.edge_radius_mm"});
+}
+
+/// Of one side.
+TEST_F(SensitivitiesOfARun, FrictionThatIsNotThereYet) {
+  write(R"(
+[material]
+law = "neo_hookean"
+mu = 0.0067
+[tool]
+kind = "ball"
+radius_mm = 3.0
+aim_mm = [0.3, 0.2, 5.0]
+axis = [0.4, 0.0, -1.0]
+friction = 0.0
+path = [[0, 0], [1, 0.8], [2, 0.4]]
+[steps]
+count = 6
+)" + base);
+  expect_derivatives({"tool.friction"});
+}
+
 TEST_F(SensitivitiesOfARun, ANumberThatIsNotThereIsRefused) {
   write("[material]\nlaw = \"neo_hookean\"\nmu = 0.0067\n[[displacement]]\nmotion_mm = [0, 0, -0.1]\n" + top + base);
   const Settings settings = Settings::read(folder / "case.toml");

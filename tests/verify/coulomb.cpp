@@ -20,7 +20,7 @@ implicit::Model pulled_block(double friction) {
     if (model.points[i].z() > 4 - 1e-9)
       for (int c = 0; c < 3; ++c) model.prescribed.push_back({int(i), c, c == 2 ? -0.4 : c == 0 ? 4.0 : 0.0, c == 2 ? 1 : 2});
   contact::Tool plane{tool_named("flat_punch"), {40.0, 0.5}, Vector3d::UnitZ(), Vector3d::Zero(), 0.0, {}};
-  plane.friction = friction;
+  rub(plane, friction);
   model.tools = {plane};
   return model;
 }

@@ -158,7 +158,7 @@ TEST(ForceControl, IsDepthControlTurnedRound) {  // a ball, with and without fri
     model.materials = {material("fung_demiray", {mu, 2})};
     for (int c = 0; c < 3; ++c) hold(model, c, [](const Vector3d& x) { return x.z() < 1e-9; });
     model.tools = {contact::Tool{tool_named("ball"), {3.0}, -Vector3d::UnitZ(), {0.1, 0.2, 6}, 1.5, {}}};
-    model.tools[0].friction = friction;
+    rub(model.tools[0], friction);
     const auto pushed = solve(model, {0, 0.25, 0.5, 0.75, 1});
     ASSERT_EQ(pushed.reached, 1) << pushed.trouble;
     const double force = -pushed.equations.contact.tools[0].force.z();
@@ -200,7 +200,7 @@ double twisted(int around, int across, int along) {
   model.materials = {material("neo_hookean", {mu})};
   for (int c = 0; c < 3; ++c) hold(model, c, [](const Vector3d& p) { return p.z() < 1e-9; });
   contact::Tool plate{tool_named("plane"), {}, -Vector3d::UnitZ(), {0, 0, length}, 0.01, Amplitude{{{0, 0}, {1, 1}}}};
-  plate.friction = std::numeric_limits<double>::infinity();
+  rub(plate, std::numeric_limits<double>::infinity());
   plate.spin = Vector3d::UnitZ();
   plate.turn = Amplitude{{{0, 0}, {1, 0}, {2, angle}}};
   model.tools = {plate};

@@ -13,12 +13,6 @@ namespace {
 
 const double mu = 0.0067;
 
-effects::Effect effect_named(const std::string& name) {
-  for (const auto& e : effects::all())
-    if (e.entry.name == name) return e;
-  throw std::invalid_argument(name);
-}
-
 /// Stretch over time, from 1.
 using Path = std::vector<std::array<double, 2>>;
 

@@ -152,6 +152,17 @@ inline tools::Shape tool_named(const std::string& name) {
   throw std::logic_error("no tool " + name);
 }
 
+inline effects::Effect effect_named(const std::string& name) {
+  for (const auto& effect : effects::all())
+    if (effect.entry.name == name) return effect;
+  throw std::logic_error("no effect " + name);
+}
+
+/// Coulomb's coefficient; infinite: what touches sticks.
+inline void rub(contact::Tool& tool, double friction) {
+  if (friction > 0) tool.tractions.push_back({effect_named("friction"), {friction}});
+}
+
 /// Holds a component of every node for which `where` is true.
 inline void hold(implicit::Model& model, int component, const std::function<bool(const Vector3d&)>& where, double value = 0) {
   for (std::size_t i = 0; i < model.points.size(); ++i)

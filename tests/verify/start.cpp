@@ -12,12 +12,6 @@ namespace {
 
 const double mu = 0.0067;
 
-effects::Effect effect_named(const std::string& name) {
-  for (const auto& e : effects::all())
-    if (e.entry.name == name) return e;
-  throw std::invalid_argument(name);
-}
-
 /// As a case begins: every sub-tetrahedron at its centroid.
 void begin(implicit::Model& model, const std::string& name, const std::vector<double>& parameters) {
   const auto effect = effect_named(name);

@@ -1,0 +1,24 @@
+// A point of contact with a tool, as effects on the traction see it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <solver/contact/tool.hpp>
+
+namespace palpate::contact {
+
+/// What friction remembers of a point: where it was, seen from the tool, and the shear it carried (turned back with the tool), when the
+/// last step was found.
+struct Slip {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< MPa
+};
+
+struct Touch {
+  Eigen::Vector3d place;      ///< seen from the tool, mm
+  tools::Distance distance;   ///< from the tool: gap, normal out of it, curvature
+  double pressure = 0;        ///< MPa; 0 where nothing touches
+  double pressure_slope = 0;  ///< −∂pressure/∂gap, MPa/mm
+  double stiffness = 0;       ///< of elastic slip, MPa/mm
+  Slip before;                ///< for what holds on
+};
+
+}  // namespace palpate::contact
