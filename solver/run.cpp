@@ -40,6 +40,7 @@ Run::Run(Command& c)
   if (c.has("sensitivities")) {
     sensitivities_.emplace(settings_, mesh_, number_paths(c.text("sensitivities")), *equilibrium_, c.threads());
     observe_ = [this](const implicit::State& found) { sensitivities_->follow(found); };
+    for (const auto& remark : sensitivities_->remarks()) c.warn(remark);
   }
   restart_.emplace(c, folder_);
   if (auto bytes = restart_->read()) {

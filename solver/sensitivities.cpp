@@ -40,6 +40,17 @@ std::pair<double, Case> moved_case(const Settings& settings, const std::filesyst
   throw std::logic_error("unreachable");
 }
 
+/// Friction that is off has no derivative: where nothing moves, any friction sticks. The secant to this coefficient stands in.
+constexpr double finite_friction = 0.05;
+
+bool needs_secant(const Case& still, const Case& moved) { return implicit::has_friction(moved.model) && !implicit::has_friction(still.model); }
+
+Case shifted_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, double change) {
+  Settings moved = Settings::read(settings.file());
+  moved.shift(path, change);
+  return read_case(moved, mesh);
+}
+
 /// Whether the driven tool's depth is not given but found.
 bool depth_answers(const Case& c) { return !c.model.tools.empty() && c.model.tools.front().force_controlled; }
 
@@ -80,7 +91,10 @@ Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::pa
   table_ = "t[s]";
   for (const auto& path : numbers) {
     auto [change, moved] = moved_case(settings, mesh_override, path);
+    const bool secant = needs_secant(still_->the_case, moved);
+    if (secant) moved = shifted_case(settings, mesh_override, path, change = finite_friction);
     shadows_.push_back(std::make_unique<Shadow>(path, change, std::move(moved), threads));
+    if (secant) shadows_.back()->own = std::make_unique<implicit::Equilibrium>(shadows_.back()->the_case.model, threads);
     std::vector<std::string> forces = {"F", "Fx", "Fy", "Fz"};
     for (std::size_t i = 2; i <= still_->the_case.model.tools.size(); ++i)
       for (const char* component : {"Fx", "Fy", "Fz"}) forces.push_back(component + std::to_string(i));
@@ -107,6 +121,7 @@ void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equili
     if (!shadow->path.empty()) settings.shift(shadow->path, shadow->change);
     auto fresh = std::make_unique<Shadow>(shadow->path, shadow->change, case_on(settings, mesh, shadow->the_case), threads_);
     if (origins) fresh->state = implicit::carried(shadow->the_case.model, shadow->state, fresh->the_case.model, *origins);
+    if (shadow->own) fresh->own = std::make_unique<implicit::Equilibrium>(fresh->the_case.model, threads_);
     shadow = std::move(fresh);
   };
   use(still_);
@@ -117,6 +132,7 @@ void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equili
 void Sensitivities::keep(Archive& archive) {
   const auto keep_one = [&](Shadow& shadow) {
     archive(shadow.state, shadow.force_rates, shadow.depth_rate);
+    if (shadow.own) archive(*shadow.own);
     for (auto& tool : shadow.the_case.model.tools) archive(tool.first_contact);
   };
   keep_one(*still_);
@@ -144,6 +160,10 @@ std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const imp
   const auto& tools = shadow.equations.contact.tools;
   const auto& still = still_->equations;
   std::vector<Vector3d> rates;
+  if (shadow.own) {
+    for (std::size_t i = 0; i < tools.size(); ++i) rates.push_back((tools[i].force - still.contact.tools[i].force) / shadow.change);
+    return rates;
+  }
   for (std::size_t i = 0; i < tools.size(); ++i) {
     VectorXd against_tool = change;  // only the place of organ and tool against each other counts
     for (int at = 0; at < against_tool.size(); at += 4) against_tool.segment<3>(at) -= step.travels[i] * still_->the_case.model.tools[i].axis;
@@ -154,6 +174,23 @@ std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const imp
   rates.push_back(Vector3d::Zero());
   for (int node : still_->the_case.moved.front().nodes) rates.front() += residual.segment<3>(4 * node) / shadow.change;
   return rates;
+}
+
+/// The same step of a run of its own.
+void Sensitivities::run_on(Shadow& shadow, const implicit::State& found) {
+  if (found.time == shadow.state.time) return;
+  shadow.state.time = found.memory_time;
+  auto step = shadow.own->find(shadow.state, found.time);
+  if (!step)
+    throw Failure(ExitCode::not_converged, "the run whose secant stands in for a derivative by " + shadow.path + " stopped: " + shadow.own->trouble().cause, "--sensitivities", "leave this number out");
+  shadow.equations = std::move(step->equations);
+}
+
+std::vector<std::string> Sensitivities::remarks() const {
+  std::vector<std::string> list;
+  for (const auto& shadow : shadows_)
+    if (shadow->own) list.push_back("d/d(" + shadow->path + ") is the secant to " + std::to_string(shadow->change) + ", by a run of its own: friction that is off has no derivative");
+  return list;
 }
 
 /// From the run's displacements to its own: what it remembers of the step is of there.
@@ -180,6 +217,12 @@ void Sensitivities::follow(const implicit::State& found) {
   MatrixXd residual_changes(found.nodal.size(), count), prescribed_changes(found.nodal.size(), count);
   for (int k = 0; k < count; ++k) {
     Shadow& shadow = *shadows_[k];
+    residual_changes.col(k).setZero();
+    prescribed_changes.col(k).setZero();
+    if (shadow.own) {
+      run_on(shadow, found);
+      continue;
+    }
     approach(shadow, found);
     residual_changes.col(k) = shadow.equations.residual - still_->equations.residual;
     prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
@@ -187,9 +230,12 @@ void Sensitivities::follow(const implicit::State& found) {
   const auto steps = responses(residual_changes, prescribed_changes);
   for (int k = 0; k < count; ++k) {
     shadows_[k]->force_rates = force_rates(*shadows_[k], steps[k]);
-    shadows_[k]->depth_rate = steps[k].travels.empty() ? 0 : steps[k].travels.front() / shadows_[k]->change;
+    if (steps[k].travels.empty()) continue;
+    const double travel = shadows_[k]->own ? shadows_[k]->state.travels.front() - found.travels.front() : steps[k].travels.front();
+    shadows_[k]->depth_rate = travel / shadows_[k]->change;
   }
-  for (int k = 0; k < count; ++k) step_aside(*shadows_[k], steps[k]);
+  for (int k = 0; k < count; ++k)
+    if (!shadows_[k]->own) step_aside(*shadows_[k], steps[k]);
   step_aside(*still_, {VectorXd::Zero(found.nodal.size()), std::vector<double>(still_->the_case.model.tools.size(), 0.0)});
 }
 

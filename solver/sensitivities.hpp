@@ -24,6 +24,7 @@ struct Shadow {
   implicit::State state;
   implicit::Equations equations;  ///< at the run's displacements
   std::vector<Eigen::Vector3d> force_rates;  ///< of the reported forces, by the number
+  std::unique_ptr<implicit::Equilibrium> own;  ///< of a secant, which has a run of its own
   double depth_rate = 0;                     ///< of the first tool's depth, when its force is given, mm per unit of the number
 
   Shadow(std::string number, double by, Case moved, int threads);
@@ -45,6 +46,8 @@ class Sensitivities {
   void follow(const implicit::State& found);
   /// A row at a reported step.
   void add(const implicit::Step& step);
+  /// What people should know of numbers without a derivative: friction where there is none. A secant stands in.
+  std::vector<std::string> remarks() const;
   /// What the shadows remember between two steps, and the table.
   void keep(Archive& archive);
   /// `t[s]`, then for every number the derivatives of the history's forces by it; and of the depth, when the first tool's force is given.
@@ -55,6 +58,7 @@ class Sensitivities {
   std::vector<implicit::Increment> responses(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes);
   std::vector<Eigen::Vector3d> force_rates(const Shadow& shadow, const implicit::Increment& step) const;
   void step_aside(Shadow& shadow, const implicit::Increment& step);
+  void run_on(Shadow& shadow, const implicit::State& found);
 
   Settings settings_;
   int threads_;

@@ -73,6 +73,7 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
   FaceContact result;
   if (out_of_reach(tool, pose, face)) return result;
   const double rest_area = area(face.rest), now_area = area(face.now);
+  const Vector3d rest_normal = (face.rest[1] - face.rest[0]).cross(face.rest[2] - face.rest[0]).normalized();
   const double size = face_size(face.rest), deepest = deepest_gap * size;
   for (int q = 0; q < points_per_face; ++q) {
     const auto& [N, weight] = quadrature[q];
@@ -102,8 +103,11 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
       const auto more = socket.respond({x - pose.travel * tool.axis, d, presses ? t : 0, presses ? stiffness : 0, softness / deepest,
                                         face.slips ? seen_now(tool, pose, face.slips[q]) : Slip{}},
                                        values);
-      traction.value += more.value;
-      traction.by_place += more.by_place;
+      // What reaches out holds the area that the tool sees, not a face at right angles to it.
+      const double seen = socket.reach ? std::max(0.0, -rest_normal.dot(d.n)) : 1;
+      traction.value += seen * more.value;
+      traction.by_place += seen * more.by_place;
+      if (socket.reach && seen > 0) traction.by_place -= more.value * (d.hessian * rest_normal).transpose();
       if (!socket.holds_on) continue;
       result.points[q].shear = more.value;
       result.points[q].slides = more.slides;

@@ -8,6 +8,8 @@ namespace palpate::effects {
 namespace {
 
 constexpr double never_slips = 1e6;
+/// As effects::inside_the_cone; wider, because what is pressed lightly here slides by little.
+constexpr double inside_the_bound = 1e-4;
 
 bool bonded(std::span<const double> p) { return p[2] == never_slips; }
 
@@ -35,8 +37,8 @@ void remember(const Held& at, std::span<double> memory, std::span<const double> 
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - at.normal * at.normal.transpose();
   const Eigen::Vector3d shear = across * respond(at, memory, p).traction;
   const double bound = p[2] * std::max(0.0, p[0] * at.displacement.dot(at.normal));
-  const bool slides = shear.norm() >= bound * (1 - 0.1 * inside_the_cone);
-  Eigen::Map<Eigen::Vector3d>(memory.data()) = across * at.displacement + (slides ? 1 - inside_the_cone : 1) / tangential * shear;
+  const bool slides = shear.norm() >= bound * (1 - 0.1 * inside_the_bound);
+  Eigen::Map<Eigen::Vector3d>(memory.data()) = across * at.displacement + (slides ? 1 - inside_the_bound : 1) / tangential * shear;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <solver/implicit/assembly.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <solver/elements/membrane_triangle.hpp>
 
@@ -29,6 +30,7 @@ void Assembly::add_layers(const State& state, Equations& equations, BlockMatrix&
     for (int f : layer.faces) {
       const auto& nodes = model_.faces[f];
       const auto system = elements::membrane_triangle(layer, {model_.points[nodes[0]], model_.points[nodes[1]], model_.points[nodes[2]]}, corners_now(model_, state, f));
+      equations.internal_force = std::hypot(equations.internal_force, grown * system.internal_force);
       for (int a = 0; a < 3; ++a) {
         equations.residual.segment<3>(4 * nodes[a]) += grown * system.residual.segment<3>(3 * a);
         for (int b = 0; b < 3; ++b) {

