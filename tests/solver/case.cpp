@@ -176,7 +176,6 @@ TEST_F(CaseFile, EffectsThatAreRefused) {
   EXPECT_TRUE(says(why("name = \"adhesion\"\nwork = 1\nrange_mm = 1\ntool = 2"), "tool"));
   EXPECT_TRUE(says(why("name = \"inclusion\"\nexcess = 1\nx_mm = 90\ny_mm = 0\nz_mm = 0\nradius_mm = 2"), "changes nothing"));
   EXPECT_TRUE(says(why("name = \"thickness\"\nexcess = 1\naxis_x = 0\naxis_y = 0\naxis_z = 0"), "no direction"));
-  EXPECT_TRUE(says(why("name = \"thickness\"\nexcess = -0.9\naxis_x = 0\naxis_y = 0\naxis_z = 1\nz_mm = 500\nradius_mm = 3\nedge_mm = 0.001"), "inside out"));
 }
 
 TEST_F(CaseFile, LoadsThatAreRefused) {

@@ -126,30 +126,6 @@ count = 6
   expect_derivatives({"material.mu", "material.b", "effect[0].g", "tool.force_N", "tool.radius_mm", "tool.aim_mm[0]", "tool.friction", "pressure[0].pressure_MPa"});
 }
 
-TEST_F(SensitivitiesOfARun, PressureAndATurningTool) {
-  write(R"(
-[material]
-law = "neo_hookean"
-mu = 0.0067
-[tool]
-kind = "box"
-width_mm = 2.0
-length_mm = 20.0
-height_mm = 5.0
-edge_radius_mm = 0.5
-aim_mm = [0.3, 0.2, 5.0]
-axis = [0.0, 0.0, -1.0]
-depth_mm = 0.8
-turn = { about = [0, 1, 0.3], from_tip_mm = [0, 0, 9], path = [[0, 0], [0.8, 3]] }
-[[pressure]]
-pressure_MPa = 0.0005
-box = { min_mm = [4.9, -6, 1], max_mm = [6, 6, 6] }
-[steps]
-count = 5
-)" + base);
-  expect_derivatives({"pressure[0].pressure_MPa", "tool.depth_mm", "tool.turn.from_tip_mm[2]", "tool.turn.about[2]", "tool.edge_radius_mm"});
-}
-
 /// In a hold any friction sticks: a secant stands in.
 TEST_F(SensitivitiesOfARun, FrictionThatIsNotThereYet) {
   write(R"(

@@ -66,7 +66,7 @@ PY
   grep -q "$amplitude" wrong.log || fail "$name: the message does not name $amplitude: $(cat wrong.log)"
 done <names
 
-# A name that there is not, a socket's key where it does not belong, a place outside, a map that turns the organ inside out.
+# A name that there is not, a socket's key where it does not belong, a place outside.
 refused() {  # refused <what it must say> <effect's table>
   printf '%s\n[[effect]]\n%b\n' "$(cat plain.toml)" "$2" >refused.toml
   local code=0
@@ -81,5 +81,4 @@ refused tool 'name = "prestress"\np_kPa = 1\ntool = 1'
 refused region 'name = "capsule"\nE_h = 0.1\nregion = "block"'
 refused tool 'name = "adhesion"\nwork = 0.1\nrange_mm = 1\ntool = 2'
 refused 'changes nothing' 'name = "inclusion"\nexcess = 2\nx_mm = 90\ny_mm = 0\nz_mm = 0\nradius_mm = 3'
-refused 'inside out' 'name = "thickness"\nexcess = -0.9\naxis_x = 0\naxis_y = 0\naxis_z = 1\nradius_mm = 3\nedge_mm = 0.001\nx_mm = 1\nz_mm = 500'
 echo "effects: $(wc -l <names) run, count and are differentiated"
