@@ -252,6 +252,11 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
       t.reason = "no more than how a tool is set up by hand";
       continue;
     }
+    const int column = l.scores.best[t.candidate], blocks = static_cast<int>(l.S.data.rows());
+    if (!own.effect->lateral && std::abs(own.amplitude) * l.whitened_S.col(column).head(blocks).norm() < thresholds::visible) {
+      t.reason = "too small to change any force beyond noise";
+      continue;
+    }
     if (made_up(s, current.model, t.fit.model)) {
       t.reason = "one kind of test does not carry it: it would change other tests beyond all proportion";
       continue;
