@@ -211,7 +211,7 @@ class EveryEffect : public verify::CaseRuns, public testing::WithParamInterface<
     write("[material]\nlaw = \"fung_demiray\"\nmu = 0.0067\nb = 1.3\n"
           "[base]\nplane = { point_mm = [0.0, 0.0, 0.01], normal = [0.0, 0.0, 1.0] }\n"
           "[tool]\nkind = \"ball\"\nradius_mm = 3.0\naim_mm = [0.3, 0.2, 5.0]\naxis = [0.1, 0.0, -1.0]\n"
-          "path = [[0, 0], [1, 0.9], [1.5, 0.9], [2, 0.5], [3, 1.0]]\n[steps]\ncount = 9\n" + with);
+          "path = [[0, 0], [1, 0.9], [1.3333333333333333, 0.9], [2, 0.5], [3, 1.0]]\n[steps]\ncount = 9\n" + with);
     return Settings::read(folder / "case.toml");
   }
 
