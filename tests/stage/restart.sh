@@ -119,12 +119,12 @@ killed_at() {
   rm -rf out out.card.json
 }
 
-# killed_midway <case>: out/ unfinished, with a restart file and two frames.
+# killed_midway <case>: out/ unfinished, with two frames and a restart file that knows of them (quick steps are not all written).
 killed_midway() {
   solve "$1" out >/dev/null 2>&1 &
   local pid=$!
   for _ in $(seq 1200); do
-    if [ -f .partial-$pid-out/restart.bin ] && [ -f .partial-$pid-out/frames/frame_0001.vtu ]; then break; fi
+    if [ -f .partial-$pid-out/frames/frame_0001.vtu ] && [ .partial-$pid-out/restart.bin -nt .partial-$pid-out/frames/frame_0001.vtu ]; then break; fi
     sleep 0.05
   done
   kill -9 $pid || fail "the run ended before it could be killed"
@@ -132,6 +132,7 @@ killed_midway() {
 }
 left() { find . -maxdepth 1 -name '.partial-*-out'; }
 
+# Six moments by the clock: whatever was written by then, the bytes are the same.
 resumed=0
 for share in 12 35 "30 25" 55 70 85; do
   for percent in $share; do killed_at "$percent" case.toml; done
@@ -142,21 +143,23 @@ for share in 12 35 "30 25" 55 70 85; do
   rm -r out out.card.json
 done
 echo "$resumed of 6 runs went on where they were"
-[ "$resumed" -ge 4 ] || fail "too few runs went on where they were"
 
-# Damaged: one byte of the file, one of a frame; cut short. Another case: nothing of it is used.
-for damage in byte frame cut case; do
+# Untouched, it is used. Damaged (one byte of the file, one of a frame; cut short), or of another case: nothing of it is.
+for damage in none byte frame cut case; do
   killed_midway case.toml
   file=$(left)/restart.bin
   [ -f "$file" ] || fail "no restart file midway"
   case $damage in
+    none) ;;
     byte) printf 'x' | dd of="$file" bs=1 seek=$(($(stat -c %s "$file") / 2)) conv=notrunc 2>/dev/null ;;
     frame) printf 'x' | dd of="$(left)/frames/frame_0000.vtu" bs=1 seek=2000 conv=notrunc 2>/dev/null ;;
     cut) truncate -s -1 "$file" ;;
     case) sed -i 's/^friction = .*/friction = 0.40/' case.toml ;;
   esac
   (solve case.toml out) >/dev/null 2>message
-  grep -q "starts from the beginning" message || fail "$damage: does not say that it starts from the beginning: $(cat message)"
+  said="starts from the beginning"
+  if [ $damage = none ]; then said="continues a run that was killed"; fi
+  grep -q "$said" message || fail "$damage: does not say that it $said: $(cat message)"
   bytes_of out | cmp - whole.sums || fail "$damage: other bytes"
   rm -r out out.card.json
 done
