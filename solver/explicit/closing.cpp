@@ -10,7 +10,10 @@
 namespace palpate::explicit_shell {
 namespace {
 
-constexpr int cycles_between_judgements = 200;  ///< of the stable step
+constexpr int most_cycles_between_judgements = 200;  ///< of the stable step
+constexpr double moved_between_judgements = 0.1;       ///< of the shortest edge, by the fastest node
+constexpr double moved_in_a_step = 0.02;             ///< same; what is faster is cut into finer steps, for the energy's balance
+constexpr double contact_damping = 0.1;              ///< of critical, of a node on its penalty: a few steps are too few for an elastic bounce
 constexpr double runaway_speed = 1e5;          ///< mm/s: several times the speed of sound in a soft wall
 constexpr double pressure_duration = 0.1;      ///< s, where the case does not say
 
@@ -32,6 +35,8 @@ std::vector<double> node_areas(const Wall& wall) {
 
 Closing::Closing(Case& the_case, int threads)
     : c(the_case), motion(the_case.wall, the_case.holds, threads), jaws(the_case.clamp, the_case.wall), self(the_case.wall), node_area_(node_areas(the_case.wall)) {
+  shortest_edge_ = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : c.wall.edges) shortest_edge_ = std::min(shortest_edge_, length3(c.wall.rest[b] - c.wall.rest[a]));
   motion.damping = c.damping;
   end = c.duration > 0 ? c.duration : c.clamp.pressure ? pressure_duration : 1.1 * jaws.closing_time();
 }
@@ -39,35 +44,44 @@ Closing::Closing(Case& the_case, int threads)
 void Closing::contact() {
   auto& force = motion.outside.contact;
   std::fill(force.begin(), force.end(), Lanes{});
-  jaws.touch(c.wall, motion.state, stiffness_, force);
-  self.touch(motion.state, stiffness_ / 2, c.self_friction, force);
+  jaws.touch(c.wall, motion.state, stiffness_, contact_damping, force);
+  motion.add_tool_work(jaws.take_work());
+  self.touch(motion.state, {stiffness_ / 2, contact_damping, c.self_friction}, force);
 }
 
-/// The step that is stable now, of which `safety` is used; penalties take what that leaves of 4/dt².
+/// The step that is stable now, of which `safety` is used, and when to ask again. Penalties take what the first step leaves of 4/dt² and
+/// keep that: one that changed while a node is pushed would make or lose energy. So no later step is longer than the first.
 void Closing::judge() {
-  for (int t = 0; t < c.wall.triangles.size(); ++t)
-    if (const double speed = length3(motion.state.v[c.wall.triangles[t][0]]); !(speed < runaway_speed)) {
+  double fastest = 0;
+  for (int t = 0; t < c.wall.triangles.size(); ++t) {
+    const double speed = length3(motion.state.v[c.wall.triangles[t][0]]);
+    if (!(speed < runaway_speed)) {
       std::ostringstream what;
       what << "the wall flies apart after " << cycles << " cycles, at gap " << jaws.gap() << " mm: a node moves at " << speed << " mm/s";
       throw Failure(ExitCode::not_converged, what.str(), place(c.wall, t), "a smaller [steps] safety or speed_mm_s, a larger gap_mm, or a finer mesh there");
     }
+    fastest = std::max(fastest, speed);
+  }
   const auto [stable, triangle] = motion.stable();
-  const double first = smallest_step_;
-  if (first == 0) smallest_step_ = stable;
-  if (!(stable > 1e-3 * smallest_step_)) {
+  if (first_stable_ == 0) {
+    first_stable_ = stable;
+    const double first = c.safety * stable;
+    stiffness_ = 0.8 * (1 - c.safety * c.safety) * 4 / (first * first) / 2;
+  }
+  if (!(stable > 1e-3 * first_stable_)) {
     std::ostringstream what;
     what << "the time step collapsed to " << stable << " s after " << cycles << " cycles, at gap " << jaws.gap() << " mm: a triangle is crushed or torn";
     throw Failure(ExitCode::not_converged, what.str(), place(c.wall, triangle), "a larger gap_mm, smaller speed_mm_s, or a finer mesh there");
   }
-  step_ = c.safety * stable;
-  stiffness_ = 0.8 * (1 - c.safety * c.safety) * 4 / (step_ * step_) / 2;
+  step_ = std::min(c.safety * std::min(stable, first_stable_), moved_in_a_step * shortest_edge_ / std::max(fastest, 1e-300));
+  const double steps = moved_between_judgements * shortest_edge_ / std::max(fastest * step_, 1e-300);
+  judged_again_ = cycles + static_cast<long>(std::clamp(steps, 1.0, static_cast<double>(most_cycles_between_judgements)));
 }
 
 double Closing::advance(double dt) {
   contact();
-  const double work = jaws.move(motion.time(), dt);
+  jaws.move(motion.time(), dt);
   motion.step(dt);
-  motion.add_tool_work(work);
   ++cycles;
   return dt;
 }
@@ -82,7 +96,7 @@ void Closing::run(const std::function<void(const Row&)>& row_done, const std::fu
   int rows = 0, frames = 0;
   double since = 0;
   while (rows < c.rows) {
-    if (cycles % cycles_between_judgements == 0) judge();
+    if (cycles >= judged_again_) judge();
     const double dt = advance(step_);
     row.force += dt * jaws.force_on_wall();
     since += dt;

@@ -46,7 +46,8 @@ struct Closing {
   double advance(double dt);
   void contact();
   void judge();
-  double step_ = 0, stiffness_ = 0, smallest_step_ = 0;
+  double step_ = 0, stiffness_ = 0, first_stable_ = 0, shortest_edge_ = 0;
+  long judged_again_ = 0;
   std::vector<double> node_area_;
 };
 

@@ -63,7 +63,7 @@ tools::Distance Jaws::distance(const Jaw& jaw, const Vector3d& x) const {
   return d;
 }
 
-void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force) {
+void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force) {
   touched_.clear();
   const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
   for (int j : {0, 1}) {
@@ -76,10 +76,11 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, std
       const auto d = distance(jaws_[j], vector(state.x[i]));
       const double depth = wall.thickness[i] / 2 - d.g;
       if (!(depth > 0)) continue;
-      const double normal = stiffness * wall.mass[i] * depth;
+      const Vector3d v = vector(state.v[i]) - jaw_velocity;
+      const double normal = wall.mass[i] * std::max(stiffness * depth - 2 * damping * std::sqrt(stiffness) * v.dot(d.n), 0.0);
       Vector3d f = normal * d.n;
       if (clamp_.friction > 0) {
-        const Vector3d v = vector(state.v[i]) - jaw_velocity, slip = v - v.dot(d.n) * d.n;
+        const Vector3d slip = v - v.dot(d.n) * d.n;
         f -= clamp_.friction * normal / std::max(slip.norm(), sticking_speed) * slip;
       }
       force[i] += Lanes{f[0], f[1], f[2], 0};
@@ -90,7 +91,7 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, std
   }
 }
 
-double Jaws::move(double time, double dt) {
+void Jaws::move(double time, double dt) {
   const double before = travel_, farthest = start_gap_ - clamp_.gap;
   if (clamp_.pressure) {
     const double push = *clamp_.pressure * clamp_.width * clamp_.length;
@@ -101,9 +102,15 @@ double Jaws::move(double time, double dt) {
     velocity_ = (travel_ - before) / dt;
   }
   if (travel_ >= farthest) travel_ = farthest, velocity_ = 0;
-  const double step = travel_ - before;
-  jaws_[0].face += step * clamp_.axis;
-  return closing_force() * step;
+  moved_ = travel_ - before;
+  force_before_ = closing_force();
+  jaws_[0].face += moved_ * clamp_.axis;
+}
+
+double Jaws::take_work() {
+  const double work = (force_before_ + closing_force()) / 2 * moved_;
+  moved_ = 0;
+  return work;
 }
 
 std::vector<Vector3d> Jaws::corners() const {

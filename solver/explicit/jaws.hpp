@@ -34,10 +34,13 @@ class Jaws {
   double closing_time() const;  ///< s, of a prescribed motion
   double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
 
-  /// Adds forces on the wall's nodes within half a thickness of a face; `stiffness` per mass, 1/s².
-  void touch(const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force);
-  /// Moves the upper jaw from `time` by dt; returns the work it did on the wall and on what is stored between them.
-  double move(double time, double dt);
+  /// Adds forces on the wall's nodes within half a thickness of a face; `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
+  void touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force);
+  /// Moves the upper jaw from `time` by dt.
+  void move(double time, double dt);
+  /// Work of the upper jaw, on the wall and on what is stored between them, from the touch() before the last move() to the last touch();
+  /// once (N mm).
+  double take_work();
 
   Eigen::Vector3d force_on_wall() const { return forces_[0]; }         ///< by the upper jaw, at the last touch(), N
   double closing_force() const { return forces_[0].dot(clamp_.axis); }
@@ -61,7 +64,7 @@ class Jaws {
   std::array<Jaw, 2> jaws_;
   std::array<Eigen::Vector3d, 2> forces_;
   std::vector<int> touched_;
-  double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0;
+  double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0, moved_ = 0, force_before_ = 0;
 };
 
 }  // namespace palpate::explicit_shell

@@ -79,12 +79,22 @@ void Motion::phase(int count, int grain, const std::function<void(int, int)>& wo
   });
 }
 
+Lanes Motion::inner_force(int i) const {
+  Lanes inner{};
+  for (int s = wall_.node_slots.start[i]; s < wall_.node_slots.start[i + 1]; ++s) inner += slots_.force[wall_.node_slots.entries[s]];
+  return inner;
+}
+
+double Motion::inner_moment(int e) const {
+  double inner = 0;
+  for (int s = wall_.edge_slots.start[e]; s < wall_.edge_slots.start[e + 1]; ++s) inner += slots_.moment[wall_.edge_slots.entries[s]];
+  return inner;
+}
+
 void Motion::move_nodes(int from, int to, double dt, double dt_mid) {
   const double slow = 1 - damping * dt_mid / 2, over = 1 / (1 + damping * dt_mid / 2);
   for (int i = from; i < to; ++i) {
-    Lanes inner{};
-    for (int s = wall_.node_slots.start[i]; s < wall_.node_slots.start[i + 1]; ++s) inner += slots_.force[wall_.node_slots.entries[s]];
-    const Lanes force = outside.load[i] + outside.contact[i] - inner, before = state.v[i];
+    const Lanes force = outside.load[i] + outside.contact[i] - inner_force(i), before = state.v[i];
     const Lanes v = held((slow * before + (dt_mid / wall_.mass[i]) * force) * over, holds_.hold[i], holds_.direction[i]);
     const Lanes mean = 0.5 * (before + v);
     work_[3 * i] += dt_mid * dot3(outside.load[i], mean);
@@ -98,10 +108,8 @@ void Motion::move_nodes(int from, int to, double dt, double dt_mid) {
 void Motion::turn_edges(int from, int to, double dt, double dt_mid) {
   const double slow = 1 - damping * dt_mid / 2, over = 1 / (1 + damping * dt_mid / 2);
   for (int e = from; e < to; ++e) {
-    double inner = 0;
-    for (int s = wall_.edge_slots.start[e]; s < wall_.edge_slots.start[e + 1]; ++s) inner += slots_.moment[wall_.edge_slots.entries[s]];
     const double before = state.spin[e];
-    double spin = (slow * before + (dt_mid / wall_.inertia[e]) * (outside.moment[e] - inner)) * over;
+    double spin = (slow * before + (dt_mid / wall_.inertia[e]) * (outside.moment[e] - inner_moment(e))) * over;
     if (holds_.edge_fixed[e]) spin = 0;
     edge_work_[2 * e] += dt_mid * outside.moment[e] * (before + spin) / 2;
     edge_work_[2 * e + 1] += dt_mid * damping * wall_.inertia[e] * (before + spin) * (before + spin) / 4;
@@ -129,16 +137,25 @@ void Motion::step(double dt) {
 
 Ledger Motion::ledger() const {
   Ledger l;
+  const double half = dt_before_ / 2;
   for (std::size_t i = 0; i < wall_.rest.size(); ++i) {
-    l.external += work_[3 * i];
-    l.contact -= work_[3 * i + 1];
-    l.damping += work_[3 * i + 2];
-    l.kinetic += 0.5 * wall_.mass[i] * dot3(state.v[i], state.v[i]);
+    const Lanes force = outside.load[i] + outside.contact[i] - inner_force(i);
+    const Lanes v = held((1 - damping * half / 2) / (1 + damping * half / 2) * state.v[i] + half / (1 + damping * half / 2) / wall_.mass[i] * force,
+                         holds_.hold[i], holds_.direction[i]);
+    const Lanes mean = 0.5 * (state.v[i] + v);
+    l.external += work_[3 * i] + half * dot3(outside.load[i], mean);
+    l.contact -= work_[3 * i + 1] + half * dot3(outside.contact[i], mean);
+    l.damping += work_[3 * i + 2] + half * damping * wall_.mass[i] * dot3(mean, mean);
+    l.kinetic += 0.5 * wall_.mass[i] * dot3(v, v);
   }
   for (std::size_t e = 0; e < wall_.edges.size(); ++e) {
-    l.external += edge_work_[2 * e];
-    l.damping += edge_work_[2 * e + 1];
-    l.kinetic += 0.5 * wall_.inertia[e] * state.spin[e] * state.spin[e];
+    double spin = (1 - damping * half / 2) / (1 + damping * half / 2) * state.spin[e] +
+                  half / (1 + damping * half / 2) / wall_.inertia[e] * (outside.moment[e] - inner_moment(e));
+    if (holds_.edge_fixed[e]) spin = 0;
+    const double mean = (state.spin[e] + spin) / 2;
+    l.external += edge_work_[2 * e] + half * outside.moment[e] * mean;
+    l.damping += edge_work_[2 * e + 1] + half * damping * wall_.inertia[e] * mean * mean;
+    l.kinetic += 0.5 * wall_.inertia[e] * spin * spin;
   }
   for (std::size_t t = 0; t < wall_.triangles.size(); ++t) l.internal += slots_.energy[t];
   l.contact += tool_work_;

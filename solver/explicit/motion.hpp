@@ -50,6 +50,7 @@ class Motion {
   void add_tool_work(double work) { tool_work_ += work; }
 
   double time() const { return time_; }
+  /// Now: velocities and works are carried on by half a step with the present forces, `outside` included.
   Ledger ledger() const;
   const Slots& slots() const { return slots_; }
   /// Smallest of all triangles' stable steps, and whose it is.
@@ -58,6 +59,8 @@ class Motion {
   std::vector<Lanes> residual() const;
 
  private:
+  Lanes inner_force(int node) const;    ///< derivative of the energy by its place
+  double inner_moment(int edge) const;  ///< by its director's angle
   void move_nodes(int from, int to, double dt, double dt_mid);
   void turn_edges(int from, int to, double dt, double dt_mid);
   void phase(int count, int grain, const std::function<void(int, int)>& work);

@@ -137,7 +137,7 @@ void SelfContact::search(const WallState& state) {
   std::stable_sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.node < b.node; });
 }
 
-void SelfContact::touch(const WallState& state, double stiffness, double friction, std::vector<Lanes>& force) {
+void SelfContact::touch(const WallState& state, const Penalty& penalty, std::vector<Lanes>& force) {
   double moved = searched_at_.empty() ? 1e30 : 0;
   if (moved == 0)
     for (std::size_t i = 0; i < state.x.size(); ++i) {
@@ -149,7 +149,7 @@ void SelfContact::touch(const WallState& state, double stiffness, double frictio
   for (std::size_t first = 0, last = 0; first < pairs_.size(); first = last) {
     Near near{};
     for (; last < pairs_.size() && pairs_[last].node == pairs_[first].node; ++last) consider(state, pairs_[last], near);
-    push_apart(state, near, stiffness, friction, force);
+    push_apart(state, near, penalty, force);
   }
 }
 
@@ -164,17 +164,18 @@ void SelfContact::consider(const WallState& state, const Pair& pair, Near& near)
   if (distance > 0 && wanted - distance > near.depth) near = {pair, w, apart / distance, wanted - distance};
 }
 
-void SelfContact::push_apart(const WallState& state, const Near& near, double stiffness, double friction, std::vector<Lanes>& force) {
+void SelfContact::push_apart(const WallState& state, const Near& near, const Penalty& penalty, std::vector<Lanes>& force) {
   if (!(near.depth > 0)) return;
   const auto& t = wall_.triangles[near.pair.triangle];
   const int node = near.pair.node;
   double softness = 1 / wall_.mass[node];
   for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall_.mass[t[k]];
-  const double normal = stiffness / softness * near.depth;
+  const Lanes v = state.v[node] - at(state.v, t, near.weights);
+  const double normal = std::max(penalty.stiffness * near.depth - 2 * penalty.damping * std::sqrt(penalty.stiffness) * dot3(v, near.normal), 0.0) / softness;
   Lanes f = normal * near.normal;
-  if (friction > 0) {
-    const Lanes v = state.v[node] - at(state.v, t, near.weights), slip = v - dot3(v, near.normal) * near.normal;
-    f -= friction * normal / std::max(length3(slip), 1.0) * slip;
+  if (penalty.friction > 0) {
+    const Lanes slip = v - dot3(v, near.normal) * near.normal;
+    f -= penalty.friction * normal / std::max(length3(slip), 1.0) * slip;
   }
   force[node] += f;
   for (int k = 0; k < 3; ++k) force[t[k]] -= near.weights[k] * f;

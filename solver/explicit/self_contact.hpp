@@ -11,8 +11,14 @@ class SelfContact {
  public:
   explicit SelfContact(const Wall& wall);
 
-  /// Adds forces on nodes; `stiffness` per mass, 1/s²; friction by Coulomb's coefficient.
-  void touch(const WallState& state, double stiffness, double friction, std::vector<Lanes>& force);
+  /// What a penalty is made of.
+  struct Penalty {
+    double stiffness = 0;  ///< per mass, 1/s²
+    double damping = 0;    ///< of critical, never pulling
+    double friction = 0;   ///< Coulomb's coefficient
+  };
+  /// Adds forces on nodes.
+  void touch(const WallState& state, const Penalty& penalty, std::vector<Lanes>& force);
 
   bool touching() const { return active_ > 0; }
   double area() const { return area_; }         ///< of the nodes in contact at the last touch(), mm², at rest
@@ -32,7 +38,7 @@ class SelfContact {
   };
   void search(const WallState& state);
   void consider(const WallState& state, const Pair& pair, Near& near) const;
-  void push_apart(const WallState& state, const Near& near, double stiffness, double friction, std::vector<Lanes>& force);
+  void push_apart(const WallState& state, const Near& near, const Penalty& penalty, std::vector<Lanes>& force);
 
   const Wall& wall_;
   std::vector<double> node_area_;

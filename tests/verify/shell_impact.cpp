@@ -40,7 +40,7 @@ void meet(const Lanes& speed) {
   bool touched = false;
   for (int k = 0; motion.time() < 3 * 1.5 / (1.5 * speed[2]); ++k) {  // three times the way they have to go
     std::fill(motion.outside.contact.begin(), motion.outside.contact.end(), Lanes{});
-    contact.touch(motion.state, 0.4 / (usual * usual), 0, motion.outside.contact);
+    contact.touch(motion.state, {0.4 / (usual * usual), 0, 0}, motion.outside.contact);
     touched |= contact.touching();
     motion.step(dt);
     if (k % 80 == 0) {
