@@ -62,11 +62,10 @@ Json parse_value(const OptionSpec& option, const std::string& text) {
   }
 }
 
-/// Words CLI11 left over: options nobody knows, or too many files.
+/// Words CLI11 left over: options nobody knows.
 void reject_extras(const Usage& usage, const std::vector<std::string>& extras) {
   if (extras.empty()) return;
   const std::string word = extras.front();
-  if (!word.starts_with("-")) misuse("one file too many: " + word, "", "see " + usage.program() + " --help");
   std::vector<std::string> known;
   for (const auto& option : all_options(usage)) known.push_back("--" + option.name);
   misuse("unknown option: " + word, "", "did you mean " + nearest_name(word.substr(0, word.find('=')), known) + "?");
@@ -91,7 +90,7 @@ void expect_extension(const ArgumentSpec& spec, const fs::path& path) {
 struct GivenWords {
   std::map<std::string, std::vector<std::string>> values;  ///< of options with a value
   std::map<std::string, bool> flags;
-  std::vector<std::string> files;  ///< inputs, then outputs; empty where not given
+  std::vector<std::string> files;  ///< inputs, then outputs
 };
 
 GivenWords sort_words(const Usage& usage, const std::vector<std::string>& words) {
@@ -109,8 +108,7 @@ GivenWords sort_words(const Usage& usage, const std::vector<std::string>& words)
           ->multi_option_policy(option.kind == OptionKind::points ? CLI::MultiOptionPolicy::TakeAll
                                                                   : CLI::MultiOptionPolicy::Throw);
   }
-  given.files.resize(usage.inputs.size() + usage.outputs.size());
-  for (std::size_t i = 0; i < given.files.size(); ++i) app.add_option("file-" + std::to_string(i), given.files[i]);
+  app.add_option("files", given.files);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
@@ -125,14 +123,24 @@ GivenWords sort_words(const Usage& usage, const std::vector<std::string>& words)
 Arguments parse_arguments(const Usage& usage, const std::vector<std::string>& words) {
   const GivenWords given = sort_words(usage, words);
   Arguments arguments;
+  const std::size_t expected = usage.inputs.size() + usage.outputs.size();
+  const bool several = !usage.inputs.empty() && usage.inputs.back().several;
+  if (given.files.size() > expected && !several)
+    misuse("one file too many: " + given.files[expected], "", "see " + usage.program() + " --help");
   std::size_t index = 0;
   const auto take = [&](const ArgumentSpec& spec) {
-    const std::string& text = given.files[index++];
+    const std::string text = index < given.files.size() ? given.files[index] : "";
+    ++index;
     if (text.empty())
       misuse("missing: " + spec.name + " (" + spec.meaning + ")", "", usage.program() + " --help shows the usage");
     return without_trailing_slash(text);
   };
-  for (const auto& spec : usage.inputs) arguments.inputs[spec.name] = take(spec);
+  for (const auto& spec : usage.inputs) {
+    arguments.inputs[spec.name] = take(spec);
+    if (!spec.several) continue;
+    auto& all = arguments.several[spec.name] = {arguments.inputs[spec.name]};
+    while (index + usage.outputs.size() < given.files.size()) all.push_back(take(spec));
+  }
   for (const auto& spec : usage.outputs) expect_extension(spec, arguments.outputs[spec.name] = take(spec));
   for (const auto& option : all_options(usage)) {
     Json value = option.kind == OptionKind::flag ? Json(given.flags.at(option.name)) : option.default_value;

@@ -13,6 +13,7 @@ namespace palpate {
 struct Arguments {
   Json options = Json::object();  ///< every option's value, common ones too; null when not given and without default
   std::map<std::string, std::filesystem::path> inputs, outputs;  ///< by the names usage() gave; "dicom/" is "dicom"
+  std::map<std::string, std::vector<std::filesystem::path>> several;  ///< all of an input of which there may be several
 };
 
 /// Throws Failure(misuse): a missing file, one too many, an unknown option or choice (naming the nearest), a value that is no

@@ -32,6 +32,7 @@ Command::Command(const Usage& usage, const std::vector<std::string>& words) : st
 }
 
 const fs::path& Command::input(const std::string& name) const { return state_->arguments.inputs.at(name); }
+const std::vector<fs::path>& Command::inputs(const std::string& name) const { return state_->arguments.several.at(name); }
 fs::path Command::output(const std::string& name) const { return state_->outputs.at(name).temporary(); }
 fs::path Command::final_output(const std::string& name) const { return state_->targets.at(name); }
 

@@ -23,6 +23,8 @@ class Command {
   Command(const Usage& usage, const std::vector<std::string>& words);
 
   const std::filesystem::path& input(const std::string& name) const;
+  /// All of an input of which there may be several.
+  const std::vector<std::filesystem::path>& inputs(const std::string& name) const;
   /// Where to write an output or side output: a temporary name that becomes the real one when run() returns.
   /// A folder exists and is empty, or is what a killed run left (Usage::continues).
   std::filesystem::path output(const std::string& name) const;

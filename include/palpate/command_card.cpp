@@ -28,7 +28,7 @@ Json file_json(const Command::State& state, const std::string& name, const fs::p
 
 bool is_open_folder(const Command::State& state, const std::string& name) {
   return std::any_of(state.usage.inputs.begin(), state.usage.inputs.end(),
-                     [&](const ArgumentSpec& spec) { return spec.name == name && spec.kind == ArgumentKind::open_folder; });
+                     [&](const ArgumentSpec& spec) { return spec.name == name.substr(0, name.find('[')) && spec.kind == ArgumentKind::open_folder; });
 }
 
 Json options_json(const Command::State& state) {
@@ -75,7 +75,11 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 
 std::vector<std::pair<std::string, fs::path>> declared_inputs(const Command::State& state) {
   std::vector<std::pair<std::string, fs::path>> inputs;
-  for (const auto& spec : state.usage.inputs) inputs.emplace_back(spec.name, state.arguments.inputs.at(spec.name));
+  for (const auto& spec : state.usage.inputs) {
+    if (!spec.several) inputs.emplace_back(spec.name, state.arguments.inputs.at(spec.name));
+    else
+      for (const fs::path& path : state.arguments.several.at(spec.name)) inputs.emplace_back(spec.name + "[" + std::to_string(inputs.size()) + "]", path);
+  }
   for (const auto& option : state.usage.options) {
     const Json& value = state.arguments.options.at(option.name);
     if (option.kind == OptionKind::file && !value.is_null()) inputs.emplace_back(option.name, value.get<std::string>());

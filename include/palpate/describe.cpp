@@ -6,10 +6,12 @@ namespace palpate {
 namespace {
 
 Json argument_json(const ArgumentSpec& a) {
-  return {{"name", a.name},
-          {"kind", a.kind == ArgumentKind::file ? "file" : "folder"},
-          {"example", a.example},
-          {"meaning", a.meaning}};
+  Json json = {{"name", a.name},
+               {"kind", a.kind == ArgumentKind::file ? "file" : "folder"},
+               {"example", a.example},
+               {"meaning", a.meaning}};
+  if (a.several) json["several"] = true;
+  return json;
 }
 
 Json option_json(const OptionSpec& o) {

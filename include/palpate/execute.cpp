@@ -12,8 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void expect_inputs(const Command::State& state) {
-  for (const auto& spec : state.usage.inputs) {
-    const fs::path& path = state.arguments.inputs.at(spec.name);
+  const auto expect = [](const ArgumentSpec& spec, const fs::path& path) {
     const bool file = spec.kind == ArgumentKind::file;
     if (!fs::exists(path))
       throw Failure(ExitCode::unreadable, file ? "no such file" : "no such folder", path.string(),
@@ -21,6 +20,11 @@ void expect_inputs(const Command::State& state) {
     if (fs::is_directory(path) == file)
       throw Failure(ExitCode::misuse, file ? "a folder, where a file is read" : "a file, where a folder is read", path.string(),
                     spec.meaning);
+  };
+  for (const auto& spec : state.usage.inputs) {
+    if (!spec.several) expect(spec, state.arguments.inputs.at(spec.name));
+    else
+      for (const fs::path& path : state.arguments.several.at(spec.name)) expect(spec, path);
   }
   for (const auto& [name, path] : declared_inputs(state)) {
     if (!fs::exists(path)) throw Failure(ExitCode::unreadable, "no such file", path.string(), "check --" + name);

@@ -34,7 +34,7 @@ const char* const exit_codes =
 std::string help_text(const Usage& u) {
   std::ostringstream out;
   out << u.program() << ": " << u.sentence << "\n\nusage: " << u.program();
-  for (const auto& a : u.inputs) out << " " << a.example;
+  for (const auto& a : u.inputs) out << " " << a.example << (a.several ? " …" : "");
   for (const auto& a : u.outputs) out << " " << a.example;
   out << " [options]\n";
   if (!u.details.empty()) out << "\n" << u.details << "\n";

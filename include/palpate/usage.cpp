@@ -8,10 +8,13 @@
 namespace palpate {
 
 void Usage::input(std::string n, std::string example, std::string meaning, ArgumentKind kind) {
-  inputs.push_back({std::move(n), kind, std::move(example), std::move(meaning)});
+  inputs.push_back({std::move(n), kind, std::move(example), std::move(meaning), false});
+}
+void Usage::several_inputs(std::string n, std::string example, std::string meaning, ArgumentKind kind) {
+  inputs.push_back({std::move(n), kind, std::move(example), std::move(meaning), true});
 }
 void Usage::output(std::string n, std::string example, std::string meaning, ArgumentKind kind) {
-  outputs.push_back({std::move(n), kind, std::move(example), std::move(meaning)});
+  outputs.push_back({std::move(n), kind, std::move(example), std::move(meaning), false});
 }
 void Usage::side_output(std::string n, std::string of, std::string suffix, std::string meaning) {
   side_outputs.push_back({std::move(n), std::move(of), std::move(suffix), std::move(meaning)});

@@ -23,6 +23,7 @@ struct ArgumentSpec {
   ArgumentKind kind = ArgumentKind::file;
   std::string example;
   std::string meaning;
+  bool several = false;  ///< one or more, one after the other; only the last input may be
 };
 
 /// An output whose name follows from another's: labels.nii.gz → labels.sheet.png.
@@ -59,6 +60,8 @@ struct Usage {
 
   std::string program() const { return prefix + name; }
   void input(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
+  /// One or more of it: Command::inputs.
+  void several_inputs(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
   void output(std::string name, std::string example, std::string meaning, ArgumentKind kind = ArgumentKind::file);
   void side_output(std::string name, std::string of, std::string suffix, std::string meaning);
   void real(std::string name, std::optional<double> fallback, std::string unit, Range range, std::string meaning);

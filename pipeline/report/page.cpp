@@ -266,9 +266,10 @@ std::string versions(const Study& study) {
 
 }  // namespace
 
-std::string page_html(const Study& study, const Drawings& drawings, const std::string& missing_effect) {
+std::string page_html(const Study& study, const Drawings& drawings, const Additions& additions) {
   const std::string body =
-      section("force", "Force and depth", force_html(study)) + section("loop", "What the model lacks", missing_effect) +
+      section("force", "Force and depth", force_html(study)) + section("loop", "What the model lacks", additions.missing_effect) +
+      section("compare", "Side by side", additions.side_by_side) +
       section("pressed", "The pressed organ", pressed_html(drawings)) + section("scan", "Scan and labels", sheet_html(study)) +
       section("surface", "Surface", surface_html(study, drawings)) + section("mesh", "Mesh", mesh_html(study, drawings)) +
       section("checks", "Checks", checks_html(study) + warnings_html(study)) + section("cards", "Cards", cards_html(study));

@@ -8,7 +8,13 @@
 
 namespace palpate {
 
-/// The whole file. `missing_effect`: HTML of what the loop found in this study; may be empty.
-std::string page_html(const Study& study, const Drawings& drawings, const std::string& missing_effect);
+/// HTML of what other programs left in the study's folder; may be empty.
+struct Additions {
+  std::string missing_effect;  ///< what the loop found
+  std::string side_by_side;    ///< results compared
+};
+
+/// The whole file.
+std::string page_html(const Study& study, const Drawings& drawings, const Additions& additions);
 
 }  // namespace palpate

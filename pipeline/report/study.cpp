@@ -108,21 +108,6 @@ std::vector<Frame> read_frames(const fs::path& pvd) {
   return frames;
 }
 
-Solve read_solve(Study& study, const fs::path& folder) {
-  Solve solve{folder.filename().string(), folder, read_history(folder / "history.csv"), Json::object(), {}};
-  study.files_read.push_back(folder / "history.csv");
-  if (fs::is_regular_file(folder / "summary.json")) {
-    solve.summary = read_object(folder / "summary.json");
-    study.files_read.push_back(folder / "summary.json");
-  }
-  if (fs::is_regular_file(folder / "frames.pvd")) {
-    solve.frames = read_frames(folder / "frames.pvd");
-    study.files_read.push_back(folder / "frames.pvd");
-  }
-  if (const Frame* frame = deepest_frame(solve)) study.files_read.push_back(frame->file);
-  return solve;
-}
-
 fs::path known_file(Study& study, const fs::path& path) {
   if (!fs::is_regular_file(path)) return {};
   study.files_read.push_back(path);
@@ -142,6 +127,21 @@ bool is_solve(const fs::path& output) { return fs::is_regular_file(output / "his
 
 }  // namespace
 
+Solve read_solve(const fs::path& folder, std::vector<fs::path>& files_read) {
+  Solve solve{folder.filename().string(), folder, read_history(folder / "history.csv"), Json::object(), {}};
+  files_read.push_back(folder / "history.csv");
+  if (fs::is_regular_file(folder / "summary.json")) {
+    solve.summary = read_object(folder / "summary.json");
+    files_read.push_back(folder / "summary.json");
+  }
+  if (fs::is_regular_file(folder / "frames.pvd")) {
+    solve.frames = read_frames(folder / "frames.pvd");
+    files_read.push_back(folder / "frames.pvd");
+  }
+  if (const Frame* frame = deepest_frame(solve)) files_read.push_back(frame->file);
+  return solve;
+}
+
 Study read_study(const fs::path& folder) {
   Study study;
   auto stages = listed_stages(study, folder);
@@ -156,7 +156,7 @@ Study read_study(const fs::path& folder) {
   study.surface = known_file(study, folder / "surface.vtp");
   study.mesh = known_file(study, folder / "mesh.vtu");
   for (const auto& stage : study.stages)
-    if (is_solve(stage.output)) study.solves.push_back(read_solve(study, stage.output));
+    if (is_solve(stage.output)) study.solves.push_back(read_solve(stage.output, study.files_read));
   if (study.sheet_png.empty() && study.surface.empty() && study.mesh.empty() && study.solves.empty())
     throw Failure(ExitCode::unreadable, "nothing to show: no labels.sheet.png, surface.vtp, mesh.vtu or solve/*/history.csv",
                   folder.string(), "give the folder that palpate run made");

@@ -42,6 +42,9 @@ struct Study {
 /// holds nothing that is known, or a file of it is damaged.
 Study read_study(const std::filesystem::path& folder);
 
+/// A folder of palpate-solve; adds the files that were opened, or will be shown. Throws Failure(unreadable) naming file and line.
+Solve read_solve(const std::filesystem::path& folder, std::vector<std::filesystem::path>& files_read);
+
 /// The card of the stage whose tool is `tool` ("palpate-mesh"); null when there is none.
 const Json& card_of(const Study& study, const std::string& tool);
 

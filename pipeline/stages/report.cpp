@@ -7,6 +7,7 @@
 #include <pipeline/report/findings.hpp>
 #include <pipeline/report/loop_page.hpp>
 #include <pipeline/report/page.hpp>
+#include <pipeline/report/side_by_side_page.hpp>
 #include <pipeline/report/study.hpp>
 
 using namespace palpate;
@@ -20,7 +21,7 @@ void usage(Usage& u) {
       "with its history and its deepest frame; what is missing is left out. Pictures are drawn by VTK on a private X server "
       "(Xvfb) and "
       "Mesa's software renderer, so no screen and no graphics card are needed, and the same files give the same page. A folder of "
-      "palpate-loop run gets the page of its verdict; in a study's folder it is looked for as loop/.";
+      "palpate-loop run gets the page of its verdict; in a study's folder it is looked for as loop/, and what palpate-compare wrote as compare/.";
   u.input("study", "result", "the folder that palpate run made, which may end before the solve; or the folder that palpate-loop run made", ArgumentKind::open_folder);
   u.output("page", "report.html", "one HTML file that needs no other and no network");
 }
@@ -50,16 +51,20 @@ void run(Command& c) {
   }
   const Study study = read_study(c.input("study"));
   add_inputs(c, study.files_read);
-  std::string missing_effect;
+  Additions additions;
   if (const auto loop = c.input("study") / "loop"; is_loop_folder(loop)) {
     const Findings findings = read_findings(loop);
     add_inputs(c, findings.files_read);
-    missing_effect = verdict_html(findings);
+    additions.missing_effect = verdict_html(findings);
+  }
+  if (const auto compare = c.input("study") / "compare" / "compare.json"; std::filesystem::is_regular_file(compare)) {
+    add_inputs(c, {compare});
+    additions.side_by_side = side_by_side_html(compare.parent_path());
   }
   const Drawings drawings = draw_study(study, [&](const std::string& what) {
     if (c.verbose()) c.say("drawing " + what);
   });
-  deliver(c, page_html(study, drawings, missing_effect), result_sentence(study));
+  deliver(c, page_html(study, drawings, additions), result_sentence(study));
   c.note("pictures", drawings.surface.size() + drawings.mesh.size() + (study.sheet_png.empty() ? 0 : 1));
   c.note("solves", study.solves.size());
 }

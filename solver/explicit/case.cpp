@@ -78,6 +78,9 @@ void read_steps(const Settings& settings, Case& c) {
   c.safety = s.real("safety", c.safety, {0.05, 0.95});
   c.damping = s.real("damping_1_s", c.damping, {0, 1e9});
   c.least_step = s.real("least_step_s", 0, {0, 1});
+  c.kinetic_part = s.real("kinetic_part", 0, {0, 1});
+  if (c.kinetic_part > 0 && c.clamp.pressure)
+    throw Failure(ExitCode::misuse, "a jaw that a pressure drives does not wait", s.where("kinetic_part"), "leave it out, or [clamp] speed_mm_s instead of pressure_MPa");
   c.frames = static_cast<int>(s.integer("frames", c.frames, {1, 10000}));
   c.rows = static_cast<int>(s.integer("rows", c.rows, {1, 1000000}));
   c.keep_partial = s.flag("keep_partial", false);

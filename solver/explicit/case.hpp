@@ -21,6 +21,7 @@ struct Case {
   double damping = 10;      ///< 1/s, of all velocities of the wall
   double self_friction = 0;
   double least_step = 0;    ///< s: nodes get mass until every triangle is stable with it; 0: none
+  double kinetic_part = 0;  ///< of the internal energy, that the jaws wait for; 0: they do not
   int frames = 10, rows = 200;
   bool keep_partial = false;
 };

@@ -15,6 +15,11 @@ constexpr double moved_between_judgements = 0.1;       ///< of the shortest edge
 constexpr double moved_in_a_step = 0.02;             ///< same; what is faster is cut into finer steps, for the energy's balance
 constexpr double contact_damping = 0.1;              ///< of critical, of a node on its penalty: a few steps are too few for an elastic bounce
 constexpr double runaway_speed = 1e5;          ///< mm/s: several times the speed of sound in a soft wall
+constexpr int cycles_between_paces = 20;
+constexpr double paced_from = 0.03;            ///< of the closing: before, hardly anything is stored
+constexpr double least_pace = 0.02;
+constexpr double slowing = 0.5e-3, quickening = 5e-3;  ///< s
+constexpr double waiting_damping = 800;        ///< 1/s, where the jaws stand still
 constexpr double pressure_duration = 0.1;      ///< s, where the case does not say
 
 std::string place(const Wall& wall, int t) {
@@ -78,12 +83,23 @@ void Closing::judge() {
   judged_again_ = cycles + static_cast<long>(std::clamp(steps, 1.0, static_cast<double>(most_cycles_between_judgements)));
 }
 
-double Closing::advance(double dt) {
+/// The jaws wait while the wall moves too much: their pace goes with what the kinetic part may be over what it is, and the
+/// wall is damped the more the less they move. What is let go at once, a fold that snaps, comes to rest so before they go on.
+void Closing::keep_pace() {
+  const double internal = motion.internal(), part = internal > 0 ? motion.kinetic() / internal : 0, closed = jaws.travel() / (jaws.start_gap() - c.clamp.gap);
+  if (closed > 0.1) worst_kinetic = std::max(worst_kinetic, part);
+  if (!(c.kinetic_part > 0) || closed < paced_from) return;
+  const double wanted = std::clamp(0.4 * c.kinetic_part / std::max(part, 1e-12), least_pace, 1.0);
+  pace_ += (1 - std::exp(-cycles_between_paces * step_ / (wanted < pace_ ? slowing : quickening))) * (wanted - pace_);
+  motion.damping = c.damping + (1 - pace_) * (1 - pace_) * waiting_damping;
+}
+
+void Closing::advance(double dt) {
   contact();
-  jaws.move(motion.time(), dt);
+  jaws.move(clock_, pace_ * dt, dt);
   motion.step(dt);
-  ++cycles;
-  return dt;
+  clock_ += pace_ * dt;
+  if (++cycles % cycles_between_paces == 0) keep_pace();
 }
 
 void Closing::run(const std::function<void(const Row&)>& row_done, const std::function<void(const Row&)>& frame_done) {
@@ -97,10 +113,11 @@ void Closing::run(const std::function<void(const Row&)>& row_done, const std::fu
   double since = 0;
   while (rows < c.rows) {
     if (cycles >= judged_again_) judge();
-    const double dt = advance(step_);
+    const double dt = step_;
+    advance(dt);
     row.force += dt * jaws.force_on_wall();
     since += dt;
-    if (motion.time() < end * (rows + 1) / c.rows) continue;
+    if (clock_ < end * (rows + 1) / c.rows) continue;
     ++rows;
     const Eigen::Vector3d mean = row.force / since;
     contact();
@@ -112,9 +129,8 @@ void Closing::run(const std::function<void(const Row&)>& row_done, const std::fu
     }
     peak_internal = std::max(peak_internal, row.ledger.internal);
     worst_imbalance = std::max(worst_imbalance, std::abs(row.ledger.imbalance()));
-    if (row.travel > 0.1 * (jaws.start_gap() - c.clamp.gap)) worst_kinetic = std::max(worst_kinetic, row.ledger.kinetic / row.ledger.internal);
     row_done(row);
-    if (motion.time() >= end * (frames + 1) / c.frames) {
+    if (clock_ >= end * (frames + 1) / c.frames) {
       ++frames;
       frame_done(row);
     }

@@ -29,13 +29,13 @@ struct Closing {
   Motion motion;
   Jaws jaws;
   SelfContact self;
-  double end = 0;         ///< s
+  double end = 0;         ///< s, of the jaws' clock, which runs slower while they wait
   long cycles = 0;
   double worst_imbalance = 0;  ///< of the largest internal energy so far
   double peak_internal = 0;
   double worst_kinetic = 0;    ///< wall's kinetic over internal energy after a tenth of the closing
 
-  /// Runs to the end. `row` is called at even times, `frame` at even times of its own and at the end. Throws Failure(not_converged)
+  /// Runs to the end. `row` is called at even times of the jaws' clock, `frame` at even ones of its own and at the end. Throws Failure(not_converged)
   /// naming the triangle, where and why: the step collapsed, the wall is no longer finite, energy drifts.
   void run(const std::function<void(const Row&)>& row, const std::function<void(const Row&)>& frame);
 
@@ -43,10 +43,12 @@ struct Closing {
   std::vector<double> contact_pressure() const;
 
  private:
-  double advance(double dt);
+  void advance(double dt);
+  void keep_pace();
   void contact();
   void judge();
   double step_ = 0, stiffness_ = 0, first_stable_ = 0, shortest_edge_ = 0;
+  double clock_ = 0, pace_ = 1;  ///< of the jaws: s, and how much slower than asked they go
   long judged_again_ = 0;
   std::vector<double> node_area_;
 };

@@ -16,10 +16,10 @@ constexpr double sticking_speed = 1;  ///< mm/s below which friction grows with 
 
 Vector3d vector(const Lanes& a) { return {a[0], a[1], a[2]}; }
 
-/// Smooth from 0 to 1, with velocity and acceleration zero at both ends.
+/// From 0 to 1, slow at the start, where little energy is stored: velocity zero at both ends, acceleration at the first.
 double smooth(double s) {
   s = std::clamp(s, 0.0, 1.0);
-  return s * s * s * (10 + s * (6 * s - 15));
+  return s * s * s * (4 - 3 * s);
 }
 
 }  // namespace
@@ -91,14 +91,14 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, dou
   }
 }
 
-void Jaws::move(double time, double dt) {
+void Jaws::move(double clock, double pace, double dt) {
   const double before = travel_, farthest = start_gap_ - clamp_.gap;
   if (clamp_.pressure) {
     const double push = *clamp_.pressure * clamp_.width * clamp_.length;
     velocity_ += dt * (push - closing_force() - clamp_.jaw_damping * velocity_) / clamp_.mass;
     travel_ += dt * velocity_;
   } else {
-    travel_ = farthest * smooth((time + dt) / closing_time());
+    travel_ = farthest * smooth((clock + pace) / closing_time());
     velocity_ = (travel_ - before) / dt;
   }
   if (travel_ >= farthest) travel_ = farthest, velocity_ = 0;

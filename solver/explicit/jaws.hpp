@@ -36,8 +36,8 @@ class Jaws {
 
   /// Adds forces on the wall's nodes within half a thickness of a face; `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
   void touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force);
-  /// Moves the upper jaw from `time` by dt.
-  void move(double time, double dt);
+  /// Moves the upper jaw by dt; a prescribed motion goes on from `clock` by `pace` (s).
+  void move(double clock, double pace, double dt);
   /// Work of the upper jaw, on the wall and on what is stored between them, from the touch() before the last move() to the last touch();
   /// once (N mm).
   double take_work();

@@ -157,10 +157,23 @@ Ledger Motion::ledger() const {
     l.damping += edge_work_[2 * e + 1] + half * damping * wall_.inertia[e] * mean * mean;
     l.kinetic += 0.5 * wall_.inertia[e] * spin * spin;
   }
-  for (std::size_t t = 0; t < wall_.triangles.size(); ++t) l.internal += slots_.energy[t];
+  l.internal = internal();
   l.contact += tool_work_;
   l.external += tool_work_;
   return l;
+}
+
+double Motion::kinetic() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < state.v.size(); ++i) sum += 0.5 * wall_.mass[i] * dot3(state.v[i], state.v[i]);
+  for (std::size_t e = 0; e < state.spin.size(); ++e) sum += 0.5 * wall_.inertia[e] * state.spin[e] * state.spin[e];
+  return sum;
+}
+
+double Motion::internal() const {
+  double sum = 0;
+  for (std::size_t t = 0; t < wall_.triangles.size(); ++t) sum += slots_.energy[t];
+  return sum;
 }
 
 std::pair<double, int> Motion::stable() const {

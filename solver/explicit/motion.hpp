@@ -53,6 +53,8 @@ class Motion {
   /// Now: velocities and works are carried on by half a step with the present forces, `outside` included.
   Ledger ledger() const;
   const Slots& slots() const { return slots_; }
+  double kinetic() const;   ///< half a step ago, N mm
+  double internal() const;  ///< N mm
   /// Smallest of all triangles' stable steps, and whose it is.
   std::pair<double, int> stable() const;
   /// Forces of the wall and of what is outside on the nodes; what a rest would make zero away from holds.

@@ -81,6 +81,20 @@ TEST(Arguments, RefusesTooFewAndTooManyFiles) {
   EXPECT_NE(refusal({"s", ""}).find("missing: labels"), std::string::npos);
 }
 
+TEST(Arguments, TakesSeveralOfAnInput) {
+  Usage u;
+  u.name = "compare";
+  u.several_inputs("results", "result", "what is compared", ArgumentKind::folder);
+  u.output("comparison", "compare", "where it is compared", ArgumentKind::folder);
+  const Arguments a = parse_arguments(u, {"a/", "b", "--quiet", "c", "out"});
+  EXPECT_EQ(a.several.at("results"), (std::vector<std::filesystem::path>{"a", "b", "c"}));
+  EXPECT_EQ(a.inputs.at("results"), "a");
+  EXPECT_EQ(a.outputs.at("comparison"), "out");
+  EXPECT_EQ(parse_arguments(u, {"a", "out"}).several.at("results").size(), 1u);
+  EXPECT_THROW(parse_arguments(u, {"a"}), Failure);
+  EXPECT_EQ(describe(u).at("inputs").at(0).at("several"), true);
+}
+
 TEST(Arguments, RefusesAnOutputOfAnotherFormat) {
   EXPECT_NE(refusal({"s", "labels.vtu"}).find(".nii.gz or .nii"), std::string::npos);
   EXPECT_EQ(refusal({"s", "labels.nii"}), "");

@@ -1,7 +1,7 @@
 # The stages of the small study one by one; sourced by the tests of tests/every.
 # SPDX-License-Identifier: GPL-3.0-or-later
 small_study=$PWD/tests/every/small_study
-all_stages="phantom import segment surface mesh remesh solve report"
+all_stages="phantom import segment surface mesh remesh solve compare report"
 
 # make_small_study <bin> <folder>: runs the whole study, quietly.
 make_small_study() {
@@ -22,6 +22,7 @@ call_stage() {
     mesh) set -- "$from/surface.vtp" "$to/mesh.vtu" --edge=6 "$@" ;;
     remesh) set -- "$from/mesh.vtu" "$to/remeshed.vtu" "$@" ;;
     solve) set -- "$study/soft.toml" "$to/soft" --mesh "$from/mesh.vtu" "$@" ;;
+    compare) set -- "$from" "$to/compare" "$@" ;;
     report) set -- "$from" "$to/report.html" "$@" ;;
     *) echo "no call for the stage $stage" >&2; return 99 ;;
   esac
