@@ -8,6 +8,7 @@
 
 #include <palpate/errors.hpp>
 #include <pipeline/report/private_display.hpp>
+#include <pipeline/report/wall_pictures.hpp>
 
 namespace palpate {
 namespace fs = std::filesystem;
@@ -95,36 +96,55 @@ double depth_at(const History& history, double time_s) {
 
 struct LoadedFrame {
   Pressed pressed;
+  PressedWall wall;  ///< instead, where drawing.wall
   PressedDrawing drawing;
-  double stress_scale_mpa = 0;  ///< 99.5 % of the tetrahedra lie below
+  double stress_scale_mpa = 0;  ///< 99.5 % of the elements lie below
 };
+
+/// Displacements and stresses of a frame, judged, with the scale of the latter.
+void load_fields(LoadedFrame& loaded, const MeshFields& fields, const std::vector<Field>& on_cells, const std::vector<Vec3>& points,
+                 const std::vector<Vec3>& cell_places, const fs::path& file, std::vector<Vec3>& displacement, std::vector<double>& von_mises) {
+  const auto moved = values_of(fields.on_points, "displacement", 3, points.size(), file);
+  von_mises = values_of(on_cells, "von_mises", 1, cell_places.size(), file);
+  expect_finite(moved, 3, "displacement", file, [&](std::size_t i) { return points[i]; });
+  expect_finite(von_mises, 1, "von_mises", file, [&](std::size_t t) { return cell_places[t]; });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    displacement.push_back({moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]});
+    loaded.drawing.largest_displacement_mm = std::max(loaded.drawing.largest_displacement_mm, norm(displacement.back()));
+  }
+  std::vector<double> sorted = von_mises;
+  std::sort(sorted.begin(), sorted.end());
+  loaded.drawing.largest_stress_mpa = sorted.back();
+  loaded.stress_scale_mpa = sorted[std::size_t(0.995 * (sorted.size() - 1))];
+}
+
+void load_wall(LoadedFrame& loaded, const Solve& solve, const Frame& frame, const MeshFields& fields) {
+  PressedWall& wall = loaded.wall;
+  wall.mesh = read_shells(frame.file);
+  std::vector<Vec3> places;
+  for (const auto& t : wall.mesh.triangles) places.push_back(wall.mesh.points[t[0]]);
+  load_fields(loaded, fields, fields.on_faces, wall.mesh.points, places, frame.file, wall.displacement, wall.von_mises);
+  if (const fs::path jaws = solve.folder / "jaws.vtp"; fs::is_regular_file(jaws)) wall.jaws = read_surface(jaws);
+}
 
 LoadedFrame load(const Solve& solve, const Frame& frame) {
   LoadedFrame loaded;
-  Pressed& pressed = loaded.pressed;
   PressedDrawing& drawing = loaded.drawing;
   drawing.solve = solve.name;
   drawing.time_s = frame.time_s;
   drawing.depth_mm = depth_at(solve.history, frame.time_s);
-  pressed.mesh = read_mesh(frame.file);
-  if (pressed.mesh.tets.empty()) damaged(frame.file, "no tetrahedra");
   const MeshFields fields = read_mesh_fields(frame.file);
-  const auto& points = pressed.mesh.points;
-  const auto& tets = pressed.mesh.tets;
-  const auto moved = values_of(fields.on_points, "displacement", 3, points.size(), frame.file);
-  pressed.von_mises = values_of(fields.on_tets, "von_mises", 1, tets.size(), frame.file);
-  const auto corner = [&](std::size_t t) { return points[tets[t][0]]; };
-  expect_finite(moved, 3, "displacement", frame.file, [&](std::size_t i) { return points[i]; });
-  expect_finite(pressed.von_mises, 1, "von_mises", frame.file, corner);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    pressed.displacement.push_back({moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]});
-    drawing.largest_displacement_mm = std::max(drawing.largest_displacement_mm, norm(pressed.displacement.back()));
+  drawing.wall = std::any_of(fields.on_points.begin(), fields.on_points.end(), [](const Field& field) { return field.name == "thickness"; });
+  if (drawing.wall) {
+    load_wall(loaded, solve, frame, fields);
+    return loaded;
   }
-  std::vector<double> sorted = pressed.von_mises;
-  std::sort(sorted.begin(), sorted.end());
-  drawing.largest_stress_mpa = sorted.back();
-  loaded.stress_scale_mpa = sorted[std::size_t(0.995 * (sorted.size() - 1))];
-  pressed.tool = tool_at(solve, drawing.depth_mm, diagonal(points));
+  Pressed& pressed = loaded.pressed;
+  pressed.mesh = read_mesh(frame.file);
+  std::vector<Vec3> places;
+  for (const auto& t : pressed.mesh.tets) places.push_back(pressed.mesh.points[t[0]]);
+  load_fields(loaded, fields, fields.on_tets, pressed.mesh.points, places, frame.file, pressed.displacement, pressed.von_mises);
+  pressed.tool = tool_at(solve, drawing.depth_mm, diagonal(pressed.mesh.points));
   return loaded;
 }
 
@@ -154,8 +174,11 @@ Drawings draw_study(const Study& study, const std::function<void(const std::stri
   }
   for (LoadedFrame& frame : frames) {
     tell(frame.drawing.solve);
-    frame.drawing.outside = pressed_outside(frame.pressed, displacement_top);
-    frame.drawing.sections = pressed_sections(frame.pressed, stress_top);
+    if (frame.drawing.wall) frame.drawing.sections = wall_pictures(frame.wall, stress_top);
+    else {
+      frame.drawing.outside = pressed_outside(frame.pressed, displacement_top);
+      frame.drawing.sections = pressed_sections(frame.pressed, stress_top);
+    }
     drawings.pressed.push_back(std::move(frame.drawing));
   }
   return drawings;

@@ -15,6 +15,7 @@ struct PressedDrawing {
   std::string solve;
   double time_s = 0, depth_mm = 0;
   double largest_displacement_mm = 0, largest_stress_mpa = 0;
+  bool wall = false;                   ///< a thin wall: `sections` are all of its pictures
   Picture outside;
   std::vector<NamedPicture> sections;
 };

@@ -32,6 +32,10 @@ std::string organ(const Study& study) {
 }
 
 std::string tool_words(const Json& summary) {
+  if (summary.contains("clamp") && summary["clamp"].is_object()) {
+    const double width = number_of(summary["clamp"], "width_mm"), length = number_of(summary["clamp"], "length_mm");
+    return std::isfinite(width + length) ? "a clamp of " + readable(width) + " × " + readable(length) + " mm" : "a clamp";
+  }
   if (!summary.contains("tool") || !summary["tool"].is_object()) return "a rigid tool";
   const Json& tool = summary["tool"];
   std::string kind = tool.contains("kind") && tool["kind"].is_string() ? tool["kind"].get<std::string>() : "rigid tool";
@@ -72,7 +76,7 @@ std::string pressing_sentence(const Study& study) {
   std::string text = "When " + tool_words(first.summary) + " presses " + range_text(shallow, deep, "mm") + " deep, " +
                      organ(study) + " resists with a peak force of " +
                      range_text(low * unit.per_newton, high * unit.per_newton, unit.name);
-  if (study.solves.size() > 1) return text + ", depending on the law (" + std::to_string(study.solves.size()) + " compared).";
+  if (study.solves.size() > 1) return text + (first.summary.contains("clamp") ? ", over " + std::to_string(study.solves.size()) + " runs." : ", depending on the law (" + std::to_string(study.solves.size()) + " compared).");
   if (first.summary.contains("law") && first.summary["law"].is_string())
     text += " (" + first.summary["law"].get<std::string>() + ")";
   return text + ".";
@@ -105,6 +109,7 @@ SolveFacts facts_of(const Solve& solve) {
   facts.law = law_words(solve.summary);
   for (double area : solve.history.column("contact_area[mm2]")) facts.contact_area_mm2 = std::max(facts.contact_area_mm2, area);
   for (double count : solve.history.column("iterations")) facts.iterations += static_cast<long>(count);
+  if (const double cycles = number_of(solve.summary, "cycles"); std::isfinite(cycles)) facts.iterations = static_cast<long>(cycles);  // counted on in each row
   return facts;
 }
 

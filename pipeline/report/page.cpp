@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pipeline/report/page.hpp>
 
+#include <algorithm>
 #include <set>
 
 #include <palpate/card.hpp>
@@ -164,7 +165,7 @@ std::string solves_table(const Study& study) {
                                        "depth reached (mm)",
                                        "largest contact area (mm²)",
                                        "steps",
-                                       "Newton iterations",
+                                       "iterations or cycles",
                                        "smallest J"};
   std::string laws;
   for (const Solve& solve : study.solves)
@@ -188,20 +189,22 @@ std::string pressed_html(const Drawings& drawings) {
   std::string html =
       "<p class=\"hint\">Each solve at its greatest depth, not magnified. <span class=\"key\" style=\"background: "
       "#bf267d\"></span> the organ at rest. "
-      "Stress is drawn as computed, one value per tetrahedron; its colours end where 99.5 % of the tetrahedra lie below, the "
-      "same in all pictures.</p>\n";
+      "Stress is drawn as computed, one value per element; its colours end where 99.5 % of the elements lie below, the "
+      "same in all pictures. A thin wall is drawn as its mid-surface between the jaws' outlines.</p>\n";
   for (const PressedDrawing& drawing : drawings.pressed) {
     html += "<h3>" + escaped(drawing.solve) + " at " + readable(drawing.depth_mm, 3) + " mm</h3>\n<div class=\"pictures\">\n";
     const std::string what = "Organ pressed with " + drawing.solve;
-    html += picture_figure(drawing.outside, what + ", from outside, coloured by displacement",
+    if (!drawing.wall)
+      html += picture_figure(drawing.outside, what + ", from outside, coloured by displacement",
                            "outside; largest displacement " + readable(drawing.largest_displacement_mm, 3) + " mm");
     for (const auto& [name, picture] : drawing.sections)
       html +=
-          picture_figure(picture, what + ", section along the tool's axis coloured by von Mises stress, " + name,
+          picture_figure(picture, what + (drawing.wall ? ", wall coloured by von Mises stress, " : ", section along the tool's axis coloured by von Mises stress, ") + name,
                          escaped(name) + "; largest von Mises stress " + readable(drawing.largest_stress_mpa * 1000, 3) + " kPa");
     html += "</div>\n";
   }
-  return html + colour_bar("displacement", Tones::displacement, readable(drawings.displacement_scale_mm, 3) + " mm") +
+  const bool only_walls = std::all_of(drawings.pressed.begin(), drawings.pressed.end(), [](const PressedDrawing& drawing) { return drawing.wall; });
+  return html + (only_walls ? "" : colour_bar("displacement", Tones::displacement, readable(drawings.displacement_scale_mm, 3) + " mm")) +
          colour_bar("von Mises stress", Tones::stress, readable(drawings.stress_scale_mpa * 1000, 3) + " kPa and more");
 }
 

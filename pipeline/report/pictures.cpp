@@ -4,16 +4,10 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCutter.h>
-#include <vtkDataSet.h>
-#include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkPlane.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkPolyDataSilhouette.h>
-#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -21,6 +15,7 @@
 
 #include <pipeline/report/boundary.hpp>
 #include <pipeline/report/scene.hpp>
+#include <pipeline/report/vtk_shapes.hpp>
 
 namespace palpate {
 namespace {
@@ -39,26 +34,6 @@ Colour region_colour(int region) {
 
 Colour paler(const Colour& c) { return {0.35 * c[0] + 0.63, 0.35 * c[1] + 0.62, 0.35 * c[2] + 0.58}; }
 
-vtkSmartPointer<vtkPoints> vtk_points(const std::vector<Vec3>& points) {
-  auto list = vtkSmartPointer<vtkPoints>::New();
-  list->SetDataTypeToDouble();
-  list->SetNumberOfPoints(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) list->SetPoint(i, points[i].data());
-  return list;
-}
-
-vtkSmartPointer<vtkPolyData> shape_of(const std::vector<Vec3>& points, const Triangles& triangles) {
-  auto shape = vtkSmartPointer<vtkPolyData>::New();
-  shape->SetPoints(vtk_points(points));
-  vtkNew<vtkCellArray> cells;
-  for (const auto& t : triangles) {
-    const vtkIdType ids[3] = {t[0], t[1], t[2]};
-    cells->InsertNextCell(3, ids);
-  }
-  shape->SetPolys(cells);
-  return shape;
-}
-
 vtkSmartPointer<vtkPolyData> polygon_of(const std::vector<Vec3>& points) {
   auto shape = vtkSmartPointer<vtkPolyData>::New();
   shape->SetPoints(vtk_points(points));
@@ -76,13 +51,6 @@ vtkSmartPointer<vtkPolyData> smooth_shaded(vtkPolyData& shape) {
   normals->ConsistencyOff();
   normals->Update();
   return normals->GetOutput();
-}
-
-vtkSmartPointer<vtkDoubleArray> array_of(const char* name, const std::vector<double>& values) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  for (double value : values) array->InsertNextValue(value);
-  return array;
 }
 
 std::vector<Vec3> used_points(const std::vector<Vec3>& points, const Triangles& triangles) {
@@ -156,19 +124,6 @@ void add_tool(Scene& scene, const std::optional<Tool>& tool) {
   normals->SetFeatureAngle(30);
   normals->Update();
   scene.add(normals->GetOutput(), {.colour = steel});
-}
-
-/// Polygons of a grid, lines of a surface.
-vtkSmartPointer<vtkPolyData> cut(vtkDataSet& shape, const Vec3& origin, const Vec3& normal) {
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(origin.data());
-  plane->SetNormal(normal.data());
-  vtkNew<vtkCutter> cutter;
-  cutter->SetInputData(&shape);
-  cutter->SetCutFunction(plane);
-  cutter->GenerateTrianglesOff();
-  cutter->Update();
-  return cutter->GetOutput();
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> grid_of(const Pressed& pressed) {

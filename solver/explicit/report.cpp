@@ -149,6 +149,7 @@ void solve(Command& command) {
   command.note("summary", summary);
   command.check(check_at_most("energy balance of the largest internal energy", closing.worst_imbalance / closing.peak_internal, 0.01));
   command.check(check_at_most("added mass", c.wall.added_mass > 0 ? summary.at("added_mass_part").get<double>() : 0, 0.05));
+  if (c.kinetic_part > 0) command.check(check_at_most("wall's kinetic over internal energy after a tenth of the closing", closing.worst_kinetic, c.kinetic_part));
   command.check(check_equal("triangles that cross", report.crossing_pairs, 0));
   std::ostringstream line;
   line << "peak force " << report.peak_force << " N, " << summary.at("max_von_mises_MPa").get<double>() << " MPa at gap " << closing.jaws.gap() << " mm";

@@ -88,6 +88,24 @@ for line, r in zip(table[1:], d["rows"]):
 assert sum(1 for _ in open("study/compare/curves.csv")) == 1 + sum(len(c["t_s"]) for c in d["curves"])
 PY
 
+"$bin/palpate-report" study page.html --quiet >/dev/null
+python3 - <<'PY'
+import base64, html, json, re
+page, d = open("page.html").read(), json.load(open("study/compare/compare.json"))
+plots = {i: json.loads(t) for i, t in re.findall(r'<script type="application/json" id="([^"]+)">(.*?)</script>', page)}
+curves = plots["plot-compare-force"]["series"]
+assert [c["name"] for c in curves] == d["results"] and [p[1] for p in curves[1]["points"]] == d["curves"][1]["force_N"]
+force = next(p for i, p in plots.items() if i.startswith("plot-over") and p["y"] == "force (N)")
+row = next(r for r in d["rows"] if r["quantity"] == "peak force")["values"]
+assert next(s for s in force["series"] if s["name"] == "tube, peak force")["points"] == [[1, row[0]], [1.5, row[1]]], force
+assert "a paper &amp; its table" in page, "the source is not made safe"
+pictures = re.findall(r'alt="Organ pressed with ([^"]*)" src="data:image/png;base64,([^"]*)"', page)
+assert len(pictures) == 6, "three pictures of each wall"
+assert all(len(base64.b64decode(data)) > 5000 for _, data in pictures), "an empty picture"
+PY
+sed 's/"values"/"valves"/' -i again/compare.json && rm -r study/compare && mv again study/compare
+if "$bin/palpate-report" study damaged.html --quiet 2>message || ! grep -q "not a comparison" message; then echo "a damaged comparison is not told:"; cat message; exit 1; fi
+
 # refused CODE WORD ARGUMENTS...: refused with that code and word, and nothing is left
 refused() {
   local code=$1 word=$2 got=0
