@@ -7,11 +7,12 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <solver/implicit/equilibrium.hpp>
+#include <solver/implicit/steps.hpp>
 #include <tests/verify/shapes.hpp>
 
 using namespace palpate;
@@ -94,11 +95,44 @@ void print_linear_algebra(const implicit::Model& model, const implicit::BlockMat
 
 }  // namespace
 
+/// What the steps of an indentation cost, and where the time goes.
+int print_indentation(const implicit::Model& model, int threads, int steps, double depth, bool keep_factor) {
+  implicit::State state = implicit::rest_state(model);
+  const auto start = Clock::now();
+  implicit::NewtonLimits limits;
+  limits.keep_factor = keep_factor;
+  implicit::Equilibrium equilibrium(model, threads, limits);
+  implicit::StepPlan plan;
+  for (int i = 0; i <= steps; ++i) plan.times.push_back(double(i) / steps);
+  std::printf("%zu nodes, a factor is worth %d iterations\n", model.points.size(), equilibrium.worth());
+  std::printf("step  depth  force  newton cuts drags | assemblies factors gmres | assembly factor solution [s] all [s] processors [s]\n");
+  double force = 0;
+  const auto report = [&](const implicit::Step& step) {
+    if (step.index == 0) return;
+    const auto work = equilibrium.work();
+    force = step.equations.contact.tools[0].force.norm();
+    std::printf("%3d %6.3f %10.7f %3d %3d %3d | %4d %3d %4d | %7.2f %7.2f %7.2f %7.2f %7.2f\n", step.index, depth * step.state.time, force,
+                step.iterations, step.cuts, step.drags, work.assemblies, work.factors, work.iterations, work.assembly_s, work.factor_s,
+                work.solution_s, seconds_since(start), std::clock() / double(CLOCKS_PER_SEC));
+    std::fflush(stdout);
+  };
+  const double reached = run_steps(equilibrium, state, plan, report);
+  std::printf("%s, %.10f N, %.2f GB\n", reached == 1 ? "done" : equilibrium.trouble().cause.c_str(), force, peak_memory_gb());
+  return reached == 1 ? 0 : 5;
+}
+
 /// bench-solver-sizes NODES [THREADS] [step|assembly]: with "step", a whole step from first contact too; with "assembly", nothing else.
+/// bench-solver-sizes NODES THREADS indentation [STEPS [DEPTH [always]]]: all steps; with "always" a factor in every iteration.
 int main(int argc, char** argv) {
   const int nodes = argc > 1 ? std::atoi(argv[1]) : 5000, threads = argc > 2 ? std::atoi(argv[2]) : 2;
   const std::string what = argc > 3 ? argv[3] : "";
-  const auto model = block(nodes);
+  const int steps = argc > 4 ? std::atoi(argv[4]) : 20;
+  const double depth = argc > 5 ? std::atof(argv[5]) : 6;
+  auto model = block(nodes);
+  if (what == "indentation") {
+    model.tools[0].depth = depth;
+    return print_indentation(model, threads, steps, depth, argc < 7);
+  }
   implicit::BlockMatrix tangent(static_cast<int>(model.points.size()), model.tets);
   print_assembly(model, tangent);
   if (what != "assembly") print_linear_algebra(model, tangent, threads);

@@ -15,11 +15,14 @@ namespace {
 constexpr double gap_scale = 1e-3;
 /// Beyond this growth of the residual an iteration is lost, and a smaller step is cheaper.
 constexpr double lost = 1e3;
+/// Newton's equations are solved to the residual they are to remove, which keeps his order (Dembo, Eisenstat, Steihaug 1982, SIAM J. Numer.
+/// Anal. 19:400), and to no less and no more than these.
+constexpr double coarsest = 1e-3, finest = 1e-6;
 
-SparseDirect solver_for(const BlockMatrix& tangent, int threads) {
-  std::vector<int> rows, columns;
-  tangent.coordinates(rows, columns);
-  return SparseDirect(4 * tangent.nodes(), std::move(rows), std::move(columns), tangent.symmetric(), threads);
+std::vector<char> fixed_unknowns(const Model& model) {
+  std::vector<char> fixed(4 * model.points.size(), 0);
+  for (const auto& p : model.prescribed) fixed[4 * p.node + p.component] = 1;
+  return fixed;
 }
 
 std::vector<double> excess(const Equations& equations) {
@@ -36,10 +39,9 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
       threads_(threads),
       assembly_(model, threads),
       tangent_(static_cast<int>(model.points.size()), model.tets, is_conservative(model)),
-      solver_(solver_for(tangent_, threads)),
-      fixed_(4 * model.points.size(), 0),
+      fixed_(fixed_unknowns(model)),
+      factor_(tangent_, fixed_, limits.keep_factor, threads),
       free_bodies_(free_bodies(model)) {
-  for (const auto& p : model.prescribed) fixed_[4 * p.node + p.component] = 1;
   for (std::size_t i = 3; i < fixed_.size(); i += 4) free_pressures_ += !fixed_[i];
   std::vector<double> nodal_volume(model.points.size(), 0.0);
   double volume = 0, shear_modulus = 0;
@@ -59,12 +61,23 @@ Equilibrium::Equilibrium(const Model& model, int threads, NewtonLimits limits)
 }
 
 Equations Equilibrium::assemble(State& state) {
+  at_equilibrium_ = false;
+  factor_.outdate();
+  const Stopwatch watch(assembled_.assembly_s);
+  ++assembled_.assemblies;
   Equations equations = assembly_(state, tangent_);
   if (drag_.stiffness == 0 || equations.fault != elements::ElementFault::none) return equations;
   for (int i = 0; i < state.nodal.size(); ++i)
     if (i % 4 != 3) equations.residual(i) += drag_.stiffness * (state.nodal(i) - drag_.from(i));
   tangent_.add_to_displacements(drag_.stiffness);
   return equations;
+}
+
+Work Equilibrium::work() const {
+  Work all = factor_.work();
+  all.assemblies = assembled_.assemblies;
+  all.assembly_s = assembled_.assembly_s;
+  return all;
 }
 
 double Equilibrium::relative_residual(const Trial& trial) const {
@@ -79,26 +92,33 @@ double Equilibrium::relative_residual(const Trial& trial) const {
                    gap_scale * trial.equations.contact.mismatch});
 }
 
-bool Equilibrium::factor() {
-  at_equilibrium_ = false;
-  std::vector<double> values;
-  tangent_.values(fixed_, values);
-  if (analysed_extensions_ != tangent_.extensions()) {
-    solver_ = solver_for(tangent_, threads_);
-    analysed_extensions_ = tangent_.extensions();
-  }
-  if (solver_.factor(values)) return true;
-  trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front(), Cause::unknown};
+/// What a linear solution is to reach, of the equations at a state.
+LinearGoal Equilibrium::goal(const Equations& equations, double tolerance) const {
+  Eigen::VectorXd weights = Eigen::VectorXd::Constant(equations.residual.size(), 1 / (equations.internal_force + force_floor_));
+  for (int i = 3; i < weights.size(); i += 4) weights(i) = 1 / volume_scale_;
+  return {std::move(weights), tolerance};
+}
+
+bool Equilibrium::renew_factor() {
+  factor_near_ = true;
+  if (factor_.renew(tangent_)) return true;
+  explain_singular();
   return false;
 }
 
-/// `contact`: of the state whose tangent is factored.
-Increment Equilibrium::back_substitute(const Trial& trial, const ContactSums& contact) {
+bool Equilibrium::solve_linear(const LinearGoal& to, Eigen::VectorXd& x) {
+  if (factor_.solve(tangent_, to.weights, to.tolerance, x)) return true;
+  explain_singular();
+  return false;
+}
+
+/// `contact`: of the state whose tangent is at hand. Nothing where that is singular.
+std::optional<Increment> Equilibrium::back_substitute(const Trial& trial, const ContactSums& contact, const LinearGoal& to) {
   Increment step{-trial.equations.residual - tangent_.multiply(trial.prescribed), std::vector<double>(model_.tools.size(), 0.0)};
   for (int i = 0; i < step.nodal.size(); ++i)
     if (fixed_[i]) step.nodal(i) = trial.prescribed(i);
-  solver_.solve(step.nodal);
-  if (has_force_control(model_)) add_travels(contact, trial.excess, step);
+  if (!solve_linear(to, step.nodal)) return {};
+  if (has_force_control(model_) && !add_travels(contact, trial.excess, to, step)) return {};
   return step;
 }
 
@@ -158,28 +178,28 @@ bool Equilibrium::line_search(Trial& trial, const Increment& step) {
 }
 
 /// Euler's predictor: the organ gives way to tools and loads along the tangent at the old equilibrium. Without it a tool's new place
-/// presses on points that it would have carried along. The factor left by the last step found is that tangent's, to Newton's last
-/// correction.
+/// presses on points that it would have carried along.
 bool Equilibrium::predict(Trial& trial, double time) {
   if (!at_equilibrium_) {
-    last_found_ = assembly_(trial.state, tangent_);
-    if (last_found_.fault != elements::ElementFault::none || !factor()) return false;
+    last_found_ = assemble(trial.state);
+    if (last_found_.fault != elements::ElementFault::none || !renew_factor()) return false;
   }
   trial.equations.residual = assembly_.change_by_time(last_found_, trial.state.time, time);
   trial.excess.clear();
   for (const auto& tool : model_.tools) trial.excess.push_back(tool.force_controlled ? tool.force * (tool.ramp.at(trial.state.time) - tool.ramp.at(time)) : 0);
   const bool still = trial.equations.residual.isZero(0) && trial.prescribed.isZero(0) && !has_force_control(model_);
   if (still && !model_.tools.empty()) return false;  // no tool touches yet
-  const Increment step = back_substitute(trial, last_found_.contact);
+  const auto step = back_substitute(trial, last_found_.contact, goal(last_found_, factor_near_ ? 1 : coarsest));
+  if (!step) return false;
   State moved = trial.state;
-  moved.nodal += step.nodal;
-  for (std::size_t i = 0; i < step.travels.size(); ++i) moved.travels[i] += step.travels[i];
-  moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, step, time, 1);
-  moved.pair_pressures = assembly_.next_pair_pressures(trial.state, last_found_.contact, step, 1);
+  moved.nodal += step->nodal;
+  for (std::size_t i = 0; i < step->travels.size(); ++i) moved.travels[i] += step->travels[i];
+  moved.contact_pressures = assembly_.next_pressures(trial.state, last_found_.contact, *step, time, 1);
+  moved.pair_pressures = assembly_.next_pair_pressures(trial.state, last_found_.contact, *step, 1);
   moved.time = time;
-  trial.equations = assembly_(moved, tangent_);
-  rate_ = step.nodal.norm() / (time - trial.state.time);
-  if (!step.nodal.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
+  trial.equations = assemble(moved);
+  rate_ = step->nodal.norm() / (time - trial.state.time);
+  if (!step->nodal.allFinite() || trial.equations.fault != elements::ElementFault::none) return false;
   trial.state = std::move(moved);
   trial.prescribed.setZero();
   return true;
@@ -189,13 +209,17 @@ bool Equilibrium::newton(Trial& trial, const NewtonLimits& limits) {
   trial.excess = excess(trial.equations);
   trial.residual = relative_residual(trial);
   trial.history.push_back(trial.residual);
+  factor_near_ = false;
   const double hopeless = lost * std::max(1.0, trial.residual);
   while (!(trial.residual <= limits.tolerance)) {
     if (trial.iterations == limits.iterations || !(trial.residual <= hopeless)) {
       explain_residual(trial);
       return false;
     }
-    if (!factor() || !line_search(trial, back_substitute(trial, trial.equations.contact))) return false;
+    const int factors = factor_.work().factors;
+    const auto step = back_substitute(trial, trial.equations.contact, goal(trial.equations, std::clamp(trial.residual, finest, coarsest)));
+    factor_near_ = factor_.work().factors != factors;
+    if (!step || !line_search(trial, *step)) return false;
     ++trial.iterations;
     trial.history.push_back(trial.residual);
   }
@@ -224,9 +248,11 @@ Equilibrium::Trial Equilibrium::trial_from(const State& state, double time) cons
   return trial;
 }
 
-/// The last factor says so, which is of a tangent close to convergence; of unsymmetric ones nothing is known.
+/// The factor of the last iteration says so, which is of a tangent close to convergence, or the solution's; of unsymmetric ones nothing is known.
 bool Equilibrium::stable(const Trial& trial) {
-  if (trial.iterations == 0 || !tangent_.symmetric() || solver_.negative_pivots() == free_pressures_) return true;
+  if (trial.iterations == 0 || !tangent_.symmetric()) return true;
+  if (!factor_near_ && !renew_factor()) return false;
+  if (factor_.negative_pivots() == free_pressures_) return true;
   trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front(),
               Cause::beyond_limit_point};
   return false;
@@ -236,16 +262,14 @@ bool Equilibrium::stable(const Trial& trial) {
 std::optional<Found> Equilibrium::accept(Trial& trial, State& state) {
   if (jumped_through(state, trial) || drifts(trial.state)) return {};
   state = std::move(trial.state);
-  at_equilibrium_ = trial.iterations > 0;
+  at_equilibrium_ = true;
   last_found_ = trial.equations;
   if (has_friction(model_)) remember_slips(model_, trial.equations.contact.points, state);
   return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
 }
 
 void Equilibrium::keep(Archive& archive) {
-  archive(analysed_extensions_, at_equilibrium_, last_found_, rates_, tangent_);
-  if (at_equilibrium_) archive(solver_);
-  else if (archive.reading()) analysed_extensions_ = -1;
+  archive(at_equilibrium_, factor_near_, last_found_, rates_, tangent_, factor_);
 }
 
 std::optional<Found> Equilibrium::solve(State& state, double time) {
@@ -274,15 +298,14 @@ Eigen::MatrixXd Equilibrium::response(const Eigen::MatrixXd& residual_changes, c
   };
   Eigen::MatrixXd r = left();
   const Eigen::RowVectorXd scale = r.colwise().norm();
-  if (!at_equilibrium_ && !factor()) throw std::logic_error("the tangent of an equilibrium is singular");
+  if (!factor_near_ && !renew_factor()) throw std::logic_error("the tangent of an equilibrium is singular");
   for (int correction = 0; correction <= 2 * slow; ++correction) {
     if (((r.colwise().norm() - exact * scale).array() <= 0).all()) break;
-    if (correction == slow && !factor()) throw std::logic_error("the tangent of an equilibrium is singular");
-    solver_.solve(r);
+    if (correction == slow && !renew_factor()) throw std::logic_error("the tangent of an equilibrium is singular");
+    factor_.apply(r);
     x += r;
     r = left();
   }
-  at_equilibrium_ = true;
   return x;
 }
 

@@ -7,7 +7,7 @@
 
 #include <solver/implicit/assembly.hpp>
 #include <solver/implicit/free_bodies.hpp>
-#include <solver/implicit/sparse_direct.hpp>
+#include <solver/implicit/kept_factor.hpp>
 
 namespace palpate::implicit {
 
@@ -24,12 +24,19 @@ struct Trouble {
 struct NewtonLimits {
   int iterations = 25;
   double tolerance = 1e-9;  ///< of the residual: force over internal forces, volume over nodal volumes
+  bool keep_factor = true;  ///< false: one in every iteration
 };
 
 struct Found {
   int iterations = 0;
   std::vector<double> residuals;  ///< relative, one per assembly
   Equations equations;            ///< at the solution
+};
+
+/// When linear equations count as solved.
+struct LinearGoal {
+  Eigen::VectorXd weights;  ///< of the rows, 1/N and 1/mm³
+  double tolerance = 0;     ///< of their residual, in parts of the right-hand side
 };
 
 class Equilibrium {
@@ -50,6 +57,9 @@ class Equilibrium {
   const BlockMatrix& tangent() const { return tangent_; }
   const Trouble& trouble() const { return trouble_; }
   const Assembly& assembly() const { return assembly_; }
+  Work work() const;
+  /// A factor's, in iterations: see SparseDirect.
+  int worth() const { return factor_.worth(); }
 
  private:
   struct Trial {
@@ -79,25 +89,29 @@ class Equilibrium {
   bool evaluate(Trial& trial, const Trial& start, const Increment& step, double length);
   double slope(const Trial& trial, const Increment& step) const;
   bool jumped_through(const State& before, const Trial& after);
-  bool factor();
-  Increment back_substitute(const Trial& trial, const ContactSums& contact);
-  void add_travels(const ContactSums& contact, const std::vector<double>& excess, Increment& step);
+  bool renew_factor();
+  LinearGoal goal(const Equations& equations, double tolerance) const;
+  bool solve_linear(const LinearGoal& to, Eigen::VectorXd& x);
+  std::optional<Increment> back_substitute(const Trial& trial, const ContactSums& contact, const LinearGoal& to);
+  bool add_travels(const ContactSums& contact, const std::vector<double>& excess, const LinearGoal& to, Increment& step);
   double relative_residual(const Trial& trial) const;
   void explain_residual(const Trial& trial);
   void explain_stop(const State& from, double time);
   void explain_fault(const Equations& equations);
+  void explain_singular();
 
   const Model& model_;
   NewtonLimits limits_;
   int threads_;
   Assembly assembly_;
   BlockMatrix tangent_;
-  SparseDirect solver_;
-  int analysed_extensions_ = 0;  ///< of the tangent's pattern, as the solver knows it
   std::vector<char> fixed_;
+  KeptFactor factor_;
+  Work assembled_;
+  bool factor_near_ = false;  ///< it is of the last iteration of the last state found, or of that state
   int free_pressures_ = 0;  ///< a stable equilibrium has as many negative pivots
   double volume_scale_ = 0, force_floor_ = 0, element_size_ = 0, stiffness_scale_ = 0;
-  bool at_equilibrium_ = false;  ///< the factor is the tangent's at the last state found
+  bool at_equilibrium_ = false;  ///< the tangent is that of the last state found
   Equations last_found_;         ///< of that state
   std::vector<FreeBody> free_bodies_;
   double rate_ = 0;              ///< of the step at hand, see below

@@ -21,8 +21,8 @@ double along(const Eigen::VectorXd& nodal, const Eigen::Vector3d& axis) {
 
 }  // namespace
 
-/// `step` comes with the nodes' answer to −r alone.
-void Equilibrium::add_travels(const ContactSums& contact, const std::vector<double>& excess, Increment& step) {
+/// `step` comes with the nodes' answer to −r alone. False where the tangent is singular.
+bool Equilibrium::add_travels(const ContactSums& contact, const std::vector<double>& excess, const LinearGoal& to, Increment& step) {
   std::vector<int> tools;
   for (std::size_t i = 0; i < model_.tools.size(); ++i)
     if (model_.tools[i].force_controlled) tools.push_back(static_cast<int>(i));
@@ -34,7 +34,7 @@ void Equilibrium::add_travels(const ContactSums& contact, const std::vector<doub
     Eigen::VectorXd answer = -contact.tools[tools[j]].by_travel;
     for (int i = 0; i < answer.size(); ++i)
       if (fixed_[i]) answer(i) = 0;
-    solver_.solve(answer);
+    if (!solve_linear(to, answer)) return false;
     answers.push_back(std::move(answer));
   }
   for (int i = 0; i < count; ++i) {
@@ -55,6 +55,7 @@ void Equilibrium::add_travels(const ContactSums& contact, const std::vector<doub
     step.travels[tools[j]] = std::clamp(travels(j), -longest * element_size_, longest * element_size_);
     step.nodal += step.travels[tools[j]] * answers[j];
   }
+  return true;
 }
 
 }  // namespace palpate::implicit

@@ -14,6 +14,8 @@ namespace {
 
 /// Below this size the fronts are too small for a threaded BLAS: its threads wait for each other longer than they work.
 constexpr int threaded_from = 40000;
+/// Operations of a factorisation in the time that a solution takes for one entry of the factor.
+constexpr double operations_per_entry = 40;
 
 }  // namespace
 
@@ -92,6 +94,11 @@ void SparseDirect::keep(Archive& archive) {
   if (rows != mumps_->rows || columns != mumps_->columns)
     *this = SparseDirect(mumps_->id.n, std::move(rows), std::move(columns), mumps_->id.sym != 0, openblas_get_num_threads());
   factor(values);
+}
+
+int SparseDirect::worth() const {
+  const double entries = mumps_->infog(20) < 0 ? -1e6 * mumps_->infog(20) : mumps_->infog(20);
+  return static_cast<int>(mumps_->id.rinfog[0] / (operations_per_entry * entries));
 }
 
 int SparseDirect::negative_pivots() const { return mumps_->infog(12); }

@@ -23,6 +23,8 @@ class SparseDirect {
   void keep(Archive& archive);
   /// Negative eigenvalues of the last factored matrix, if symmetric (Sylvester).
   int negative_pivots() const;
+  /// What a factorisation costs, in solutions, by the analysis' counts of operations and of entries.
+  int worth() const;
   /// Solves in place, column by column.
   void solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides);
 

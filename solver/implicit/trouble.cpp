@@ -33,6 +33,10 @@ void Equilibrium::explain_fault(const Equations& equations) {
               centroid(model_, equations.faulty_tet), inverted ? Cause::element_inverted : Cause::law_not_stable};
 }
 
+void Equilibrium::explain_singular() {
+  trouble_ = {"the equations are singular: is the organ held? try a larger base", model_.points.front(), Cause::unknown};
+}
+
 void Equilibrium::explain_residual(const Trial& trial) {
   if (trouble_.likely == Cause::element_inverted) return;  // what shortened the last step tells more
   int worst = 0;
