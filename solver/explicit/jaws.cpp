@@ -88,6 +88,30 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, dou
       deepest_ = std::max(deepest_, depth);
       if (j == 0) touched_.push_back(static_cast<int>(i));
     }
+    touch_edges(j, wall, state, stiffness / 4, force);
+  }
+}
+
+/// Where the wall bends around a jaw's edge the chord between two nodes cuts it: the middle of a wall's edge is pushed out by what it is deeper
+/// than both nodes. On a flat face that is nothing.
+void Jaws::touch_edges(int j, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force) {
+  const Jaw& jaw = jaws_[j];
+  const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
+  const Lanes face{jaw.face[0], jaw.face[1], jaw.face[2], 0}, back{jaw.frame(0, 2), jaw.frame(1, 2), jaw.frame(2, 2), 0};
+  for (const auto& [a, b] : wall.edges) {
+    const Lanes middle = 0.5 * (state.x[a] + state.x[b]), from = middle - face;
+    const double half = (wall.thickness[a] + wall.thickness[b]) / 4;
+    if (dot3(from, back) < -half || dot3(from, from) > reach * reach) continue;
+    const auto d = distance(jaw, vector(middle));
+    if (!(half - d.g > 0)) continue;
+    const double node_depth = std::max({0.0, wall.thickness[a] / 2 - distance(jaw, vector(state.x[a])).g, wall.thickness[b] / 2 - distance(jaw, vector(state.x[b])).g});
+    const double depth = half - d.g - node_depth;
+    if (!(depth > 0)) continue;
+    const Vector3d f = stiffness * 4 / (1 / wall.mass[a] + 1 / wall.mass[b]) * depth * d.n;
+    const Lanes share = 0.5 * Lanes{f[0], f[1], f[2], 0};
+    force[a] += share;
+    force[b] += share;
+    forces_[j] += f;
   }
 }
 

@@ -1,4 +1,4 @@
-# palpate-solve with scheme = "explicit": a coarse tube closed by two jaws; what the folder holds, same bytes, threads, bad input.
+# palpate-solve with scheme = "explicit": a coarse tube closed by two jaws; what the folder holds, same bytes, threads, crossings, balance, bad input.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 bin=$1
@@ -40,6 +40,25 @@ if not (0.5 < s["peak_force_N"] < 20 and 0 < s["max_strain"] < 1.5 and s["energy
     raise SystemExit(f"not a closed tube: {s}")
 PY
 
+# quasi-static where the case says so: the jaws wait, the force at the end stays
+sed 's/^frames/kinetic_part = 0.05\nframes/' case.toml > slow.toml
+"$bin/palpate-solve" slow.toml slow --quiet >/dev/null
+python3 - <<'PY'
+import json
+fast, slow = (json.load(open(f + "/summary.json")) for f in ("one", "slow"))
+if not (fast["kinetic_part"] > 0.1 and slow["kinetic_part"] <= 0.05 and slow["cycles"] > 1.2 * fast["cycles"]):
+    raise SystemExit(f"kinetic part {fast['kinetic_part']} without, {slow['kinetic_part']} with waiting; {fast['cycles']} and {slow['cycles']} cycles")
+if not abs(slow["last_force_N"] / fast["last_force_N"] - 1) <= 0.05:  # the end is at rest in both
+    raise SystemExit(f"forces at the end: {fast['last_force_N']} and {slow['last_force_N']} N")
+PY
+
+# a thin wall closed at twice the sweep's speed: by CGAL nothing crosses, neither the wall itself nor a jaw, whose rounded edge two nodes straddle
+"$bin/palpate-mesh" tube.vtp thin.vtu --kind shell --thickness 0.8 --offset -0.4 --focus=0,0,30 --focus-radius 8 --quiet
+sed 's/^speed.*/speed_mm_s = 200/; s/^frames.*/frames = 10/' case.toml > thin.toml
+"$bin/palpate-solve" thin.toml thin --mesh thin.vtu --quiet >/dev/null
+"$bin/test-wall-crossings" thin 1
+if "$bin/test-wall-crossings" thin 0.01 >/dev/null; then echo "blocks with sharp edges are not seen to be crossed"; exit 1; fi
+
 # driven by the paper's pressure the jaw slams: energies still balance, and contact takes energy rather than making it
 sed 's/^speed.*/pressure_MPa = 0.0785/; s/^frames/duration_s = 0.012\nframes/' case.toml > pressed.toml
 "$bin/palpate-solve" pressed.toml pressed --quiet >/dev/null
@@ -68,6 +87,7 @@ refused 2 "start inside the wall" 's/^speed.*/open_mm = 20/'
 refused 2 "miss the wall" 's/\[0, 0, 30\]/[0, 0, 300]/'
 refused 2 "farther apart" 's/^speed.*/gap_mm = 30/'
 refused 2 "driven by a pressure and by a motion" 's/^speed.*/speed_mm_s = 1\npressure_MPa = 0.1/'
+refused 2 "does not wait" 's/^speed.*/pressure_MPa = 0.1/; s/^frames/kinetic_part = 0.05\nframes/'
 refused 2 "density" 's/^C10/density_kg_m3 = 0\nC10/'
 refused 2 "spead_mm_s" 's/^speed/spead/'
 refused 2 "keep their volume" 's/^C10/D1 = 1\nC10/'
