@@ -15,6 +15,7 @@ constexpr double moved_between_judgements = 0.1;       ///< of the shortest edge
 constexpr double moved_in_a_step = 0.02;             ///< same; what is faster is cut into finer steps, for the energy's balance
 constexpr double contact_damping = 0.1;              ///< of critical, of a node on its penalty: a few steps are too few for an elastic bounce
 constexpr double runaway_speed = 1e5;          ///< mm/s: several times the speed of sound in a soft wall
+constexpr double most_cycles = 2e7;             ///< hours, even of a small mesh
 constexpr int cycles_between_paces = 20;
 constexpr double paced_from = 0.03;            ///< of the closing: before, hardly anything is stored
 constexpr double least_pace = 0.02;
@@ -77,6 +78,11 @@ void Closing::judge() {
     std::ostringstream what;
     what << "the time step collapsed to " << stable << " s after " << cycles << " cycles, at gap " << jaws.gap() << " mm: a triangle is crushed or torn";
     throw Failure(ExitCode::not_converged, what.str(), place(c.wall, triangle), "a larger gap_mm, smaller speed_mm_s, or a finer mesh there");
+  }
+  if (cycles == 0 && end > most_cycles * c.safety * stable) {
+    std::ostringstream what;
+    what << "the closing of " << end << " s would take " << end / (c.safety * stable) << " steps: the smallest triangle, or the stiffest, allows " << c.safety * stable << " s";
+    throw Failure(ExitCode::misuse, what.str(), place(c.wall, triangle), "a coarser mesh there, a larger [clamp] speed_mm_s, a shorter [steps] duration_s, or mass scaling by least_step_s");
   }
   step_ = std::min(c.safety * std::min(stable, first_stable_), moved_in_a_step * shortest_edge_ / std::max(fastest, 1e-300));
   const double steps = moved_between_judgements * shortest_edge_ / std::max(fastest * step_, 1e-300);

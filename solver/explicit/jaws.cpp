@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double clear_chord = 0.1;    ///< of the thickness, that the middles of the wall's edges and triangles keep from a jaw
 constexpr double sticking_speed = 1;  ///< mm/s below which friction grows with the speed
 
 Vector3d vector(const Lanes& a) { return {a[0], a[1], a[2]}; }
@@ -29,14 +30,20 @@ Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
     if (shape.entry.name == "box") block_ = shape;
   parameters_ = {clamp.width, clamp.length, clamp.height, clamp.edge_radius};
   const Vector3d up = -clamp.axis, along = (clamp.along - clamp.along.dot(up) * up).normalized();
-  double top = -1e30, bottom = 1e30;
+  double top = -1e30, bottom = 1e30, thickest = 0;
   for (std::size_t i = 0; i < wall.rest.size(); ++i) {
     const Vector3d x = vector(wall.rest[i]) - clamp.centre;
     if (std::abs(x.dot(along)) > clamp.length / 2 || std::abs(x.dot(along.cross(up))) > clamp.width / 2) continue;
     top = std::max(top, x.dot(up) + wall.thickness[i] / 2);
     bottom = std::min(bottom, x.dot(up) - wall.thickness[i] / 2);
+    thickest = std::max(thickest, wall.thickness[i]);
   }
   if (!(top > bottom)) throw Failure(ExitCode::misuse, "the jaws miss the wall: nothing of it lies between them", "", "[clamp] centre_mm on the tube's centre line");
+  if (top - bottom - thickest < 2 * thickest) {
+    std::ostringstream text;
+    text << "the wall between the jaws is thicker than the tube's radius: " << thickest << " mm, and its mid-surface is " << top - bottom - thickest << " mm high";
+    throw Failure(ExitCode::misuse, text.str(), "", "a mesh of a thinner wall (palpate-mesh --thickness, --offset)");
+  }
   start_gap_ = clamp.open.value_or(top - bottom);
   if (start_gap_ < (top - bottom) * (1 - 1e-9)) {
     std::ostringstream text;
@@ -88,31 +95,33 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, dou
       deepest_ = std::max(deepest_, depth);
       if (j == 0) touched_.push_back(static_cast<int>(i));
     }
-    touch_edges(j, wall, state, stiffness / 4, force);
+    touch_between(j, wall, state, stiffness / 4, force);
   }
 }
 
-/// Where the wall bends around a jaw's edge the chord between two nodes cuts it: the middle of a wall's edge is pushed out by what it is deeper
-/// than both nodes. On a flat face that is nothing.
-void Jaws::touch_edges(int j, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force) {
+/// Where a thin wall bends around a jaw's edge the chord between nodes may cut it, though the nodes lie as they should: the middles of the
+/// wall's edges and triangles are kept outside, but not half a thickness away, for a chord of what is bent lies deeper than its ends.
+void Jaws::touch_between(int j, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force) {
   const Jaw& jaw = jaws_[j];
   const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
   const Lanes face{jaw.face[0], jaw.face[1], jaw.face[2], 0}, back{jaw.frame(0, 2), jaw.frame(1, 2), jaw.frame(2, 2), 0};
-  for (const auto& [a, b] : wall.edges) {
-    const Lanes middle = 0.5 * (state.x[a] + state.x[b]), from = middle - face;
-    const double half = (wall.thickness[a] + wall.thickness[b]) / 4;
-    if (dot3(from, back) < -half || dot3(from, from) > reach * reach) continue;
+  const auto keep_outside = [&](const auto& nodes) {
+    const double share = 1.0 / nodes.size();
+    Lanes middle{};
+    double clear = 0;
+    for (int i : nodes) middle += share * state.x[i], clear += share * clear_chord * wall.thickness[i];
+    const Lanes from = middle - face;
+    if (dot3(from, back) < -clear || dot3(from, from) > reach * reach) return;
     const auto d = distance(jaw, vector(middle));
-    if (!(half - d.g > 0)) continue;
-    const double node_depth = std::max({0.0, wall.thickness[a] / 2 - distance(jaw, vector(state.x[a])).g, wall.thickness[b] / 2 - distance(jaw, vector(state.x[b])).g});
-    const double depth = half - d.g - node_depth;
-    if (!(depth > 0)) continue;
-    const Vector3d f = stiffness * 4 / (1 / wall.mass[a] + 1 / wall.mass[b]) * depth * d.n;
-    const Lanes share = 0.5 * Lanes{f[0], f[1], f[2], 0};
-    force[a] += share;
-    force[b] += share;
+    if (!(clear - d.g > 0)) return;
+    double softness = 0;
+    for (int i : nodes) softness += share * share / wall.mass[i];
+    const Vector3d f = stiffness / softness * (clear - d.g) * d.n;
+    for (int i : nodes) force[i] += share * Lanes{f[0], f[1], f[2], 0};
     forces_[j] += f;
-  }
+  };
+  for (const auto& edge : wall.edges) keep_outside(edge);
+  for (const auto& triangle : wall.triangles) keep_outside(triangle);
 }
 
 void Jaws::move(double clock, double pace, double dt) {

@@ -34,7 +34,7 @@ class Jaws {
   double closing_time() const;  ///< s, of a prescribed motion
   double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
 
-  /// Adds forces on the wall's nodes within half a thickness of a face, and on those of edges whose middle is deeper than they are; `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
+  /// Adds forces on the wall's nodes within half a thickness of a face, and on those of edges and triangles whose middle would cut a jaw; `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
   void touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force);
   /// Moves the upper jaw by dt; a prescribed motion goes on from `clock` by `pace` (s).
   void move(double clock, double pace, double dt);
@@ -56,7 +56,7 @@ class Jaws {
     Eigen::Vector3d face;    ///< the middle of its face
     Eigen::Matrix3d frame;   ///< columns: across, along, back into the block
   };
-  void touch_edges(int jaw, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force);
+  void touch_between(int jaw, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force);
   tools::Distance distance(const Jaw& jaw, const Eigen::Vector3d& x) const;
 
   Clamp clamp_;

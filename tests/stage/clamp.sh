@@ -91,5 +91,9 @@ refused 2 "does not wait" 's/^speed.*/pressure_MPa = 0.1/; s/^frames/kinetic_par
 refused 2 "density" 's/^C10/density_kg_m3 = 0\nC10/'
 refused 2 "spead_mm_s" 's/^speed/spead/'
 refused 2 "keep their volume" 's/^C10/D1 = 1\nC10/'
+refused 2 "would take .* steps" 's/^speed.*/speed_mm_s = 0.01/'
+"$bin/palpate-idealize" narrow.vtp --diameter 6 --length 30 --edge 1 --quiet
+"$bin/palpate-mesh" narrow.vtp narrow.vtu --kind shell --thickness 2.4 --offset -1 --edge 1 --quiet
+refused 2 "thicker than the tube's radius" 's/^schema/mesh = "narrow.vtu"\nschema/; s/0, 0, 30/0, 0, 15/'
 refused 5 "flies apart\|collapsed\|no longer finite" 's/^speed.*/speed_mm_s = 400000/'
 echo "closed, the same again, bad input told"
