@@ -16,6 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+double six_volumes(const Eigen::Matrix<double, 3, 4>& x) { return (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).dot(x.col(3) - x.col(0)); }
+
 Json json(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// Twelve digits: below that lies the noise of another thread count.
@@ -77,6 +79,26 @@ double imbalance(const implicit::Model& model, const implicit::Assembly& assembl
 
 }  // namespace
 
+double patch_volume_change(const implicit::Model& model, const implicit::State& state) {
+  std::vector<double> rest(model.points.size(), 0.0), now(model.points.size(), 0.0);
+  for (const auto& tet : model.tets) {
+    const Eigen::Matrix<double, 3, 4> X = implicit::corners(model, tet);
+    Eigen::Matrix<double, 3, 4> x = X;
+    for (int a = 0; a < 4; ++a) x.col(a) += state.displacement(tet[a]);
+    for (int node : tet) {
+      rest[node] += six_volumes(X);
+      now[node] += six_volumes(x);
+    }
+  }
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (rest[i] > 0) changes.push_back(std::abs(now[i] / rest[i] - 1));
+  if (changes.empty()) return 0;
+  const auto at = changes.begin() + (changes.size() * 99 + 99) / 100 - 1;
+  std::nth_element(changes.begin(), at, changes.end());
+  return *at;
+}
+
 Eigen::Vector3d driven_direction(const Case& c) {
   if (!c.model.tools.empty()) return c.model.tools.front().axis;
   return c.moved.empty() ? Vector3d::Zero() : c.moved.front().motion_mm.normalized();  // of zero: zero
@@ -114,7 +136,7 @@ void ResultFolder::make_folders() const { std::filesystem::create_directory(fold
 
 void ResultFolder::keep(Archive& archive) {
   archive(history_, frames_, files_, frame_count_, iterations_, cuts_, drags_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
-          worst_penetration_, smallest_J_, remeshings_);
+          worst_penetration_, smallest_J_, patch_change_, remeshings_);
 }
 
 void ResultFolder::follow(const Case& the_case, const implicit::Assembly& assembly) {
@@ -146,6 +168,7 @@ void ResultFolder::add(const implicit::Step& step, bool last) {
   depth_ = d.depth;
   peak_force_ = std::max(peak_force_, force_);
   steps_ = step.index;
+  patch_change_ = patch_volume_change(case_->model, step.state);
   organs_ = contact.organs;
   worst_penetration_ = std::max(worst_penetration_, contact.penetration);
   for (double value : {step.state.time, d.depth, d.vector.x(), d.vector.y(), d.vector.z(), d.force, d.area}) history_ += number(value) + ",";
@@ -200,6 +223,7 @@ Json ResultFolder::finish(double time_reached) {
                   {"found_by_drag", drags_},
                   {"iterations", iterations_},
                   {"smallest_J", smallest_J_},
+                  {"final_volume_change_of_patches_p99", patch_change_},
                   {"worst_penetration_of_element_size", worst_penetration_},
                   {"worst_force_imbalance", worst_imbalance_}};
   for (const auto& more : model.materials)

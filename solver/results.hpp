@@ -20,6 +20,10 @@ struct Driven {
 };
 Driven driven(const Case& c, const implicit::Step& step);
 
+/// How well volume is kept: of |J − 1| the value that 99 of 100 nodes do not exceed, J being the volume of the tetrahedra around a node over that
+/// at rest. Single tetrahedra keep theirs less: the pressure is linear.
+double patch_volume_change(const implicit::Model& model, const implicit::State& state);
+
 /// Unit direction of the motion that the history follows.
 Eigen::Vector3d driven_direction(const Case& c);
 
@@ -62,7 +66,7 @@ class ResultFolder {
   int frame_count_ = 0, iterations_ = 0, cuts_ = 0, drags_ = 0, steps_ = 0;
   double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   std::vector<implicit::OrganSums> organs_;  ///< at the last step
-  double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1;
+  double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1, patch_change_ = 0;
   std::vector<std::string> remeshings_;  ///< facts of each, JSON
 };
 
