@@ -18,7 +18,7 @@ SENSOR = 0.0005  # N
 # Unit amplitude of each effect, before it is scaled to the asked change of the force.
 UNITS = {"contact_offset": 0.1, "rig_compliance": 0.2, "backlash": 0.1, "gain": 0.05, "tare": 0.02, "drift": 2e-4, "lag": 0.1, "friction": 0.1,
          "adhesion": 0.02, "prony": 0.1, "rate": 0.01, "mullins": 0.1, "permanent_set": 0.05, "stiffening": 0.5, "prestress": 1e-3, "compressibility": 0.03,
-         "thickness": 0.1, "capsule": 0.01, "support": 0.2, "inclusion": 0.5, "tool_pose": 0.05, "hum": 0.02, "stick_slip": 0.05, "puncture": 0.1, "breathing": 0.05}
+         "thickness": 0.1, "capsule": 0.01, "support": 1.0, "inclusion": 0.5, "tool_pose": 0.05, "hum": 0.02, "stick_slip": 0.05, "puncture": 0.1, "breathing": 0.05}
 
 
 def runs_of(protocol):

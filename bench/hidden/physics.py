@@ -1,45 +1,69 @@
-# Forces of a pressed layer with an effect in it, by another route than the loop's: Garcia and Garcia's 2018 layer series (Dimitriadis et al. 2002
-# for its Poisson's ratio), annuli of equal width in contact radius, backward Euler, Ogden-Roxburgh per annulus, tables instead of springs.
+# Forces of a pressed layer with an effect in it, by another route than the loop's: elastic curves solved by GetFEM (curves.py), annuli of equal
+# width in contact radius, backward Euler, Ogden-Roxburgh per annulus, tables instead of springs.
 # SPDX-License-Identifier: GPL-3.0-or-later
+import csv
 import math
+import pathlib
 
-MU, HEIGHT = 0.01, 20.0  # MPa, mm
-
-
-def layer(radius, depth, height):
-    """Garcia and Garcia 2018, Biophys. J. 114:2923, eq. 12: ball, bonded, incompressible layer."""
-    chi = math.sqrt(radius * depth) / height
-    return 1 + 1.133 * chi + 1.497 * chi**2 + 1.469 * chi**3 + 0.755 * chi**4
+HEIGHT = 20.0  # mm
 
 
-def dimitriadis(radius, depth, height, nu):
-    """Dimitriadis et al. 2002, Biophys. J. 82:2798, eq. 12: bonded layer over a half-space of the same shear modulus, over 1/(1 - nu)."""
-    chi = math.sqrt(radius * depth) / height
-    a = -(1.2876 - 1.4678 * nu + 1.3442 * nu**2) / (1 - nu)
-    b = (0.6387 - 1.0277 * nu + 1.5164 * nu**2) / (1 - nu)
-    p = math.pi
-    series = 1 - 2 * a / p * chi + 4 * a * a / p**2 * chi**2 - 8 / p**3 * (a**3 + 4 * p**2 / 15 * b) * chi**3
-    return (series + 16 * a / p**4 * (a**3 + 3 * p**2 / 5 * b) * chi**4) / (1 - nu)
+def read_curves():
+    """(effect, amplitude, radius) -> (roots of depth, force over depth^1.5)."""
+    curves = {}
+    with open(pathlib.Path(__file__).with_name("curves.csv")) as file:
+        for row in csv.DictReader(file):
+            depth, force = float(row["depth[mm]"]), float(row["force[N]"])
+            points = curves.setdefault((row["effect"], float(row["amplitude"]), float(row["radius[mm]"])), [])
+            points.append((math.sqrt(depth), force / depth**1.5))
+    return curves
 
 
-def large_strain(x):
-    """Lin, Dimitriadis and Horkay 2009: neo-Hookean over Hertz; x = a/R."""
-    return (x * x / 75 - x / 5 + 1) / (x * x / 25 - 2 * x / 5 + 1)
+CURVES = read_curves()
+
+
+def solved(depth, key):
+    """Force by GetFEM: cubic through the four nearest points in the root of depth; below the first point as at it."""
+    points, x = CURVES[key], math.sqrt(depth)
+    if x <= points[0][0]:
+        return points[0][1] * depth**1.5
+    i = next((k for k in range(1, len(points)) if points[k][0] >= x), len(points) - 1)
+    near = points[max(0, min(i - 2, len(points) - 4)) :][:4]
+    total = 0.0
+    for a, (xa, ya) in enumerate(near):
+        for b, (xb, _) in enumerate(near):
+            if a != b:
+                ya *= (x - xb) / (xa - xb)
+        total += ya
+    return total * depth**1.5
+
+
+def changed_by(effect, amplitude, radius, depth):
+    """Solved force with the effect over that without, linear in between solved amplitudes (and beyond the last one)."""
+    solved_ones = sorted((a for e, a, r in CURVES if e == effect and r == radius), key=abs)
+    before = 0.0
+    for at in solved_ones:
+        if abs(at) >= abs(amplitude) or at == solved_ones[-1]:
+            break
+        before = at
+    none = solved(depth, ("none", 0.0, radius))
+    low = solved(depth, (effect, before, radius)) / none if before else 1.0
+    high = solved(depth, (effect, at, radius)) / none
+    return low + (high - low) * (amplitude - before) / (at - before)
 
 
 def elastic(depth, run, knobs):
+    """GetFEM's curve, times what each effect that it has solved changes; prestress by a tension, 3 N/mm per unit."""
     if depth <= 0:
         return 0.0
-    radius, height = run["radius"], HEIGHT * (1 + knobs.get("thickness", 0))
-    a = math.sqrt(radius * depth)
-    x = a / radius
-    force = 16 / 3 * MU * a * depth * layer(radius, depth, height) * large_strain(x)
-    if knobs.get("compressibility"):
-        force *= dimitriadis(radius, depth, height, 0.5 - knobs["compressibility"]) / dimitriadis(radius, depth, height, 0.5)
-    force *= math.exp(knobs.get("stiffening", 0) * (x**3 - 15 * x * x) / (25 * x - 125))
+    radius = run["radius"]
+    force = solved(depth, ("none", 0.0, radius))
+    for effect in ("thickness", "compressibility", "stiffening", "capsule", "support"):
+        if knobs.get(effect):
+            force *= changed_by(effect, knobs[effect], radius, depth)
     if knobs.get("inclusion") and run["point"] == (25, 0):
-        force *= 1 + knobs["inclusion"] * (a * a / (a * a + 36)) ** 1.5
-    return force + knobs.get("prestress", 0) * 3 * depth + knobs.get("capsule", 0) * depth**2 / radius
+        force *= changed_by("inclusion", knobs["inclusion"], radius, depth)
+    return force + knobs.get("prestress", 0) * 3 * depth
 
 
 def path(run, step):
@@ -114,7 +138,7 @@ def given_way(depths, run, knobs):
         for i, d in enumerate(depths):
             at = min(max(at, d), d + knobs["backlash"])
             depths[i] = at
-    c = knobs.get("rig_compliance", 0) + knobs.get("support", 0)
+    c = knobs.get("rig_compliance", 0)
     if not c:
         return depths
     true = []

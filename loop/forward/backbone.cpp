@@ -9,12 +9,12 @@
 namespace palpate::loop {
 namespace {
 
-/// Stress of the law over that of Hooke's law at the representative stretch 1 − y.
-double nonlinearity(const Tissue& tissue, double y) {
+/// Stress of the law over that of a neo-Hookean one at the representative stretch 1 − y.
+double law_over_neo_hookean(const Tissue& tissue, double y) {
   y = std::min(y, 0.9);
   if (!(y > 1e-6) || tissue.law->name == "hooke_linear") return 1;
-  const double mu = tissue.law->shear_modulus(tissue.parameters);
-  return -nominal_stress(Test::uniaxial, 1 - y, *tissue.law, tissue.parameters, tissue.stiffening) / (3 * mu * y);
+  const double mu = tissue.law->shear_modulus(tissue.parameters), stretch = 1 - y;
+  return nominal_stress(Test::uniaxial, stretch, *tissue.law, tissue.parameters, tissue.stiffening) / (mu * (stretch - 1 / (stretch * stretch)));
 }
 
 /// c1 = ∫ ½ w′² 2πr dr and c2 = ⅔ ∫ ¼ w′⁴ 2πr dr for w = Hertz' deflection in units of δ, r in units of a, out to ten contact radii:
@@ -54,6 +54,10 @@ double inclusion_factor(const Site& site, const Tissue& tissue, double contact_m
 
 }  // namespace
 
+double representative_strain(bool deep, double x, double chi) { return deep ? 0.18 + 0.03 * x + 0.3 * std::sqrt(x) * chi : 0.2; }
+
+double neo_hookean_depth(double x, double chi) { return std::max(1 - 0.054 * std::sqrt(x) - 0.118 * x - 0.323 * x * chi, 0.2); }
+
 double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   if (!(depth > 0)) return 0;
   const double R = site.tool.radius_mm, h = site.thickness_mm * tissue.thickness_factor;
@@ -61,8 +65,9 @@ double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   const bool flat = site.tool.kind == "flat_punch" || site.tool.kind == "flat";
   const double a = flat ? R : std::sqrt(R * depth);
   const double half_space = flat ? 8 * R * mu * depth : 16.0 / 3 * mu * a * depth;
-  const double factor = layer_factor(flat, site.bonded, tissue.nu, a / h);
-  return half_space * from_nu * factor * nonlinearity(tissue, flat ? depth / (5 * R) : a / (5 * R)) * inclusion_factor(site, tissue, a) +
+  const bool deep = site.strains == Strains::finite && !flat && tissue.law->name != "hooke_linear";
+  const double factor = layer_factor(flat, site.bonded, tissue.nu, a / h) * (deep ? neo_hookean_depth(depth / R, a / h) : 1);
+  return half_space * from_nu * factor * law_over_neo_hookean(tissue, flat ? depth / (5 * R) : a / R * representative_strain(deep, depth / R, a / h)) * inclusion_factor(site, tissue, a) +
          skin_force(tissue, R, depth);
 }
 

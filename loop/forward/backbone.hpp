@@ -5,19 +5,34 @@
 
 namespace palpate::loop {
 
+/// How a ball's force departs from Hertz' at depth.
+enum class Strains {
+  finite,  ///< as a neo-Hookean layer does that is solved at finite strain
+  small    ///< not at all, but for the law's own curve: what small-strain closed forms say
+};
+
 /// Where a tool presses.
 struct Site {
   Tool tool;
   Vec3 point_mm{0, 0, 0};
   double thickness_mm = 1e4;
   bool bonded = true;
+  Strains strains = Strains::finite;
 };
 
-/// F(δ) in N. Ball: Hertz 16/3 μ √R δ^1.5, times the exact factor of the layer, times the law's stress over Hooke's at the
-/// representative uniaxial stretch 1 − a/(5R), a = √(Rδ) (Lin, Dimitriadis and Horkay 2009, J. Biomech. Eng. 131:094502; for
-/// neo-Hooke and Fung it gives their closed forms). Flat punch: 8 a μ δ, likewise with 1 − δ/(5a). Skin: the deflection of Hertz'
+/// F(δ) in N. Ball: Hertz 16/3 μ √R δ^1.5, times the exact factor of the layer, times neo_hookean_depth (finite strains), times the law's stress over
+/// the neo-Hookean one at the uniaxial stretch 1 − y a/R, a = √(Rδ), y = representative_strain. Flat punch: 8 a μ δ, likewise at 1 − δ/(5a), without a factor for depth. Skin: the deflection of Hertz'
 /// solution stretches it: F = 2 c1 T δ + 3 c2 E h δ²/R (energies of tension and of stretch over that deflection). ν: 1/(2 (1 − ν)) and
 /// the layer's own. Inclusion: F (1 + e s³/(1 + s³)), s = a/depth. Sides of a block or cylinder are not seen.
 double elastic_force(const Site& site, const Tissue& tissue, double depth_mm);
+
+/// Force of a neo-Hookean bonded layer under a ball over its small-strain force: 1 − 0.054 √x − 0.118 x − 0.323 x χ, x = δ/R, χ = √(Rδ)/h. Fitted to solutions by
+/// GetFEM at R/h = 1/8, 1/4 and 5/8, x up to 1.2 (decision 042); within 0.4 % of them from x = 0.1. Half-space: 1 − 0.15 x is Zhang et al. 2014
+/// (Biomech. Model. Mechanobiol. 13:1), 2.6 % higher at x = 0.8.
+double neo_hookean_depth(double x, double chi);
+
+/// Strain in units of a/R at which a law shows in the force of a ball: 0.2 at small strains (Lin, Dimitriadis and Horkay 2009, J. Biomech. Eng. 131:094502); `deep`:
+/// 0.18 + 0.03 x + 0.3 √x χ, fitted to Demiray's law with b up to 1 by GetFEM at R/h = 1/8 and 1/4: the ratio of forces within 2 % there, 7 % at b = 2.
+double representative_strain(bool deep, double x, double chi);
 
 }  // namespace palpate::loop

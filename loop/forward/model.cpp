@@ -147,6 +147,7 @@ Site Forward::site(const Run& run) const {
   Site site;
   site.tool = set_->tools.at(run.tool);
   site.point_mm = run.point_mm;
+  site.strains = strains_;
   const Specimen& s = set_->specimen;
   site.bonded = s.bonded;
   if (!s.shape.empty()) site.thickness_mm = s.size_mm[2];

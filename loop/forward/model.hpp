@@ -47,6 +47,8 @@ class Forward {
   /// How often a run's force was computed.
   long evaluations() const { return evaluations_; }
   Site site(const Run& run) const;
+  /// From now on closed forms are those of small or of finite strains (finite without).
+  void use(Strains strains) { strains_ = strains; }
   /// From now on the closed form of runs with this tool and point is multiplied by c₀ + c₁ x + c₂ x², x = depth/deepest (beyond it as at it):
   /// what a solve of that site says about the closed form.
   void correct(const std::string& tool, const Vec3& point_mm, double deepest_mm, const std::array<double, 3>& factor);
@@ -61,6 +63,7 @@ class Forward {
   double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
   Path tissue_force(const Run& run, const Model& model, const Tissue& tissue, const Path& depth, double compliance) const;
   const Set* set_;
+  Strains strains_ = Strains::finite;
   double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests
   std::vector<std::vector<int>> begin_;
   std::vector<Correction> corrections_;

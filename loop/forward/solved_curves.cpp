@@ -75,6 +75,17 @@ void fit_factor(const Forward& forward, const Run& run, const Tissue& start, con
 
 }  // namespace
 
+bool is_wide_layer(const Set& set) {
+  const Specimen& s = set.specimen;
+  if (!s.case_file.empty() || !s.bonded || s.ring || (s.shape != "block" && s.shape != "cylinder")) return false;
+  return std::all_of(set.runs.begin(), set.runs.end(), [&](const Run& run) {
+    if (run.test != Test::indentation || run.is_air() || run.is_block()) return true;
+    const double x = std::abs(run.point_mm[0]), y = std::abs(run.point_mm[1]);
+    const double to_side = s.shape == "cylinder" ? s.size_mm[0] / 2 - std::hypot(x, y) : std::min(s.size_mm[0] / 2 - x, s.size_mm[1] / 2 - y);
+    return set.tools.at(run.tool).kind == "ball" && to_side >= 2.5 * s.size_mm[2];
+  });
+}
+
 bool can_be_solved(const Set& set) {
   if (!set.specimen.case_file.empty()) return true;
   return set.specimen.bonded && !set.specimen.ring && (set.specimen.shape == "block" || set.specimen.shape == "cylinder") && set.specimen.size_mm[0] < 1e3;

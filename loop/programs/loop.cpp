@@ -6,6 +6,7 @@
 #include <loop/forward/process.hpp>
 #include <loop/forward/register.hpp>
 #include <loop/forward/solved_curves.hpp>
+#include <loop/methods/searched.hpp>
 #include <loop/methods/thresholds.hpp>
 #include <loop/report/case_file.hpp>
 #include <loop/report/report.hpp>
@@ -95,22 +96,17 @@ void run_of_fit(Command& c) {
 
 void forward_option(Usage& u, const char* usual) {
   u.choice("forward", usual, {"auto", "closed", "solver"},
-           "elastic curves: closed forms, or one run of palpate-solve per tool and place; auto: the solver where it can");
+           "elastic curves: closed forms, or one run of palpate-solve per tool and place; auto: closed forms on a wide layer, else the solver where it can");
 }
 void null_sets_option(Usage& u) {
   u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
 }
 
-/// A set searched by closed forms.
-struct Searched {
-  loop::Session session;
-  loop::Finding finding;
-};
-Searched searched(Command& c, const loop::Set& set) {
-  Searched s{loop::prepared(set), {}};
-  s.session.threads = c.threads();
-  s.finding = loop::search(s.session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
-  return s;
+loop::Searched searched(Command& c, const loop::Set& set, const std::vector<loop::SiteCurve>& curves = {}) {
+  const auto correct = [&](loop::Forward& forward) {
+    for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
+  };
+  return loop::searched(set, correct, c.threads(), static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
 }
 
 void usage_of_diagnose(Usage& u) {
@@ -122,7 +118,7 @@ void usage_of_diagnose(Usage& u) {
 }
 void run_of_diagnose(Command& c) {
   const loop::Set set = sound_set(c);
-  const Searched s = searched(c, set);
+  const loop::Searched s = searched(c, set);
   c.print(loop::diagnosis_json(s.session, s.finding).dump(2));
 }
 
@@ -137,19 +133,13 @@ void usage_of_add(Usage& u) {
 }
 void run_of_add(Command& c) {
   const loop::Set set = sound_set(c);
-  loop::Fit fit;
-  std::unique_ptr<Searched> s;
-  if (c.text("effect").empty()) {
-    s = std::make_unique<Searched>(searched(c, set));
-    fit = s->finding.final;
-  } else {
-    s = std::make_unique<Searched>(Searched{loop::prepared(set), {}});
-    fit = loop::fit_with(s->session, c.text("effect"));
-  }
-  const std::string text = loop::case_file(s->session, fit.model);
+  const bool asked = !c.text("effect").empty();
+  loop::Searched s = asked ? loop::Searched{loop::prepared(set), {}, {}} : searched(c, set);
+  const loop::Fit fit = asked ? loop::fit_with(s.session, c.text("effect")) : s.finding.final;
+  const std::string text = loop::case_file(s.session, fit.model);
   if (text.empty()) throw Failure(ExitCode::refused, "homogeneous tests have no case to press", set.file.string(), "palpate-loop run reports the law");
   write_text(c.output("case"), text);
-  c.print(loop::parameters_json(s->session, fit).dump(2));
+  c.print(loop::parameters_json(s.session, fit).dump(2));
 }
 
 int earlier_looks(const fs::path& report) { return fs::exists(report) ? read_json(report).value("sealed_looks", 0) : 0; }
@@ -165,7 +155,7 @@ void run_of_validate(Command& c) {
   const loop::Set set = sound_set(c);
   if (std::none_of(set.runs.begin(), set.runs.end(), [](const loop::Run& r) { return r.role == loop::Role::holdout; }))
     throw Failure(ExitCode::refused, "no sealed run", set.file.string(), "role = \"holdout\" for at least one run");
-  const Searched s = searched(c, set);
+  const loop::Searched s = searched(c, set);
   const Json json = loop::validation_json(s.session, s.finding, earlier_looks(c.final_output("validation")));
   write_json(c.output("validation"), json);
   c.print(json.dump(2));
@@ -179,7 +169,7 @@ void usage_of_plan(Usage& u) {
 }
 void run_of_plan(Command& c) {
   const loop::Set set = sound_set(c);
-  const Searched s = searched(c, set);
+  const loop::Searched s = searched(c, set);
   c.print(loop::plan_json(s.session, s.finding).dump(2));
 }
 
@@ -200,7 +190,7 @@ void usage_of_run(Usage& u) {
 std::vector<loop::SiteCurve> curves_of(Command& c, const loop::Set& set) {
   const std::string forward = c.text("forward");
   const fs::path solver = loop::beside("palpate-solve"), scratch = c.output("result") / "solves";
-  if (forward == "closed" || (forward == "auto" && (solver.empty() || !loop::can_be_solved(set)))) return {};
+  if (forward == "closed" || (forward == "auto" && (solver.empty() || loop::is_wide_layer(set) || !loop::can_be_solved(set)))) return {};
   try {
     const auto curves = loop::solved_curves(set, solver, scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
     fs::remove_all(scratch);
@@ -221,26 +211,30 @@ Json solves_json(const std::vector<loop::SiteCurve>& curves) {
   return list;
 }
 
+Json tried_json(const std::vector<loop::CurveTried>& curves) {
+  Json list = Json::array();
+  for (const auto& t : curves)
+    list.push_back({{"strains", t.strains == loop::Strains::finite ? "finite" : "small"}, {"effects", t.effects}, {"chi2", t.chi2}, {"verdict", loop::kind_name(t.kind)}});
+  return list;
+}
+
 void run_of_run(Command& c) {
   const auto start = std::chrono::steady_clock::now();
   const loop::Set set = sound_set(c);
   c.say("null model and noise");
   const auto curves = curves_of(c, set);
-  loop::Session session = loop::prepared(set, [&](loop::Forward& forward) {
-    for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
-  });
-  session.threads = c.threads();
-  loop::Finding finding = loop::search(session, static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
-  Json report = loop::report_json(session, finding, earlier_looks(c.final_output("result") / "report.json"));
+  const loop::Searched s = searched(c, set, curves);
+  Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
   report["solves"] = curves.size();
   report["solved_curves"] = solves_json(curves);
+  report["elastic_curves"] = tried_json(s.curves);
   report["confirmed_in_solver"] = false;
-  report["curve_evaluations"] = session.forward->evaluations();
+  report["curve_evaluations"] = s.session.forward->evaluations();
   report["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_json(c.output("result") / "report.json", report);
-  write_text(c.output("result") / "curves.csv", loop::curves_csv(session, finding));
-  if (const std::string text = loop::case_file(session, finding.final.model); !text.empty()) write_text(c.output("result") / "case.toml", text);
+  write_text(c.output("result") / "curves.csv", loop::curves_csv(s.session, s.finding));
+  if (const std::string text = loop::case_file(s.session, s.finding.final.model); !text.empty()) write_text(c.output("result") / "case.toml", text);
   c.note("verdict", report["verdict"]);
   c.print(report["verdict"]["sentence"].get<std::string>());
 }

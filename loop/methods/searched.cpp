@@ -1,0 +1,59 @@
+// Finite strains first, small ones where effects were asked for.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <loop/methods/searched.hpp>
+
+#include <algorithm>
+
+#include <loop/methods/thresholds.hpp>
+
+namespace palpate::loop {
+namespace {
+
+CurveTried tried_of(const Searched& s, Strains strains) {
+  CurveTried tried{strains, {}, s.finding.final.chi2, s.finding.kind};
+  for (const Active& a : s.finding.final.model.active) tried.effects.push_back(a.effect->entry.name);
+  return tried;
+}
+
+Searched with(Strains strains, const Set& set, const std::function<void(Forward&)>& correct, int threads, int null_sets, std::uint64_t seed,
+              const std::function<void(const std::string&)>& remark) {
+  Searched s;
+  s.session = prepared(set, [&](Forward& forward) {
+    forward.use(strains);
+    if (correct) correct(forward);
+  });
+  s.session.threads = threads;
+  s.finding = search(s.session, null_sets, seed, remark);
+  s.curves.push_back(tried_of(s, strains));
+  return s;
+}
+
+/// What is unexplained counts as more effects than the search may take.
+int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained ? thresholds::most_effects + 1 : static_cast<int>(t.effects.size()); }
+
+bool better(const CurveTried& a, const CurveTried& b) {
+  const double margin = 2 * thresholds::alternative;
+  if (effects_of(a) != effects_of(b)) return effects_of(a) < effects_of(b) && (b.kind == VerdictKind::unexplained || a.chi2 <= b.chi2 + margin);
+  return a.chi2 < b.chi2 - margin;
+}
+
+}  // namespace
+
+Searched searched(const Set& set, const std::function<void(Forward&)>& correct, int threads, int null_sets, std::uint64_t seed,
+                  const std::function<void(const std::string&)>& remark) {
+  Searched finite = with(Strains::finite, set, correct, threads, null_sets, seed, remark);
+  const bool pressed = std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.role == Role::fit && r.test == Test::indentation; });
+  const VerdictKind kind = finite.finding.kind;
+  if (!pressed || !set.specimen.case_file.empty() || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
+  remark("the same with closed forms of small strain");
+  Searched small = with(Strains::small, set, {}, threads, null_sets, seed, remark);
+  const bool taken = better(small.curves.front(), finite.curves.front());
+  Searched& best = taken ? small : finite;
+  best.curves.push_back((taken ? finite : small).curves.front());
+  if (taken)
+    best.finding.remarks.push_back("the curves are those of small-strain closed forms, which need fewer effects here than a solid that is solved at finite strain; "
+                                   "a stiffening law that makes the one from the other cannot be seen");
+  return std::move(best);
+}
+
+}  // namespace palpate::loop
