@@ -69,7 +69,7 @@ def main():
         if a.until and time.strftime("%H:%M") >= a.until:
             return None
         folder = a.folder / truth["set"]
-        done = subprocess.run([a.loop, "run", folder / "set.toml", folder / "loop", "--quiet", "--forward=closed", "--threads=1", f"--null-sets={a.null_sets}"],
+        done = subprocess.run([a.loop, "run", folder / "set.toml", folder / "loop", "--quiet", "--threads=1", f"--null-sets={a.null_sets}"],
                               capture_output=True, text=True)
         if done.returncode:
             print(truth["set"], done.stderr, file=sys.stderr)

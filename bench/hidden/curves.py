@@ -107,7 +107,7 @@ def main():
                 rows += curve(gf, np, radius, effect, amplitude)
                 print(effect, amplitude, radius, "mm:", rows[-1][-1], "N at", rows[-1][3], "mm", flush=True)
         with open(TABLE, "w", newline="") as file:
-            csv.writer(file).writerows([["effect", "amplitude", "radius[mm]", "depth[mm]", "force[N]"]] + rows)
+            csv.writer(file, lineterminator="\n").writerows([["effect", "amplitude", "radius[mm]", "depth[mm]", "force[N]"]] + rows)
 
 
 if __name__ == "__main__":
