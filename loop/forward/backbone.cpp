@@ -17,29 +17,24 @@ double law_over_neo_hookean(const Tissue& tissue, double y) {
   return nominal_stress(Test::uniaxial, stretch, *tissue.law, tissue.parameters, tissue.stiffening) / (mu * (stretch - 1 / (stretch * stretch)));
 }
 
-/// c1 = ∫ ½ w′² 2πr dr and c2 = ⅔ ∫ ¼ w′⁴ 2πr dr for w = Hertz' deflection in units of δ, r in units of a, out to ten contact radii:
-/// energies T c1 δ² and E h c2 δ⁴/a². With membrane modulus 1/(1 − ν²), ν = ½, and radial strain ½ w′². (Johnson 1985, eq. 3.42)
-struct SkinConstants {
-  double tension = 0, stretch = 0;
-  SkinConstants() {
-    constexpr int steps = 4000;
-    constexpr double end = 10;
-    for (int i = 0; i < steps; ++i) {
-      const double r = end * (i + 0.5) / steps, dr = end / steps;
-      const auto deflection = [](double x) {
-        return x < 1 ? 1 - x * x / 2 : ((2 - x * x) * std::asin(1 / x) + std::sqrt(x * x - 1)) / M_PI;
-      };
-      const double slope = (deflection(r + 1e-4) - deflection(r - 1e-4)) / 2e-4;
-      tension += 0.5 * slope * slope * 2 * M_PI * r * dr;
-      stretch += 2.0 / 3 * 0.25 * std::pow(slope, 4) * 2 * M_PI * r * dr;
-    }
+/// 2 c1, c1 = ∫ ½ w′² 2πr dr for w = Hertz' deflection in units of δ, r in units of a, out to ten contact radii: energy T c1 δ². (Johnson 1985, eq. 3.42)
+double tension_constant() {
+  constexpr int steps = 4000;
+  constexpr double end = 10;
+  double c1 = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double r = end * (i + 0.5) / steps, dr = end / steps;
+    const auto deflection = [](double x) { return x < 1 ? 1 - x * x / 2 : ((2 - x * x) * std::asin(1 / x) + std::sqrt(x * x - 1)) / M_PI; };
+    const double slope = (deflection(r + 1e-4) - deflection(r - 1e-4)) / 2e-4;
+    c1 += 0.5 * slope * slope * 2 * M_PI * r * dr;
   }
-};
+  return 2 * c1;
+}
 
-/// a² = Rδ: energies T c1 δ² and E h c2 δ³/R, so F = 2 c1 T δ + 3 c2 E h δ²/R.
-double skin_force(const Tissue& tissue, double R, double depth) {
-  static const SkinConstants c;
-  return 2 * c.tension * tissue.tension_N_per_mm * depth + 3 * c.stretch * tissue.capsule_N_per_mm * depth * depth / R;
+double skin_force(const Tissue& tissue, double R, double depth, double chi) {
+  static const double tension = tension_constant();
+  const double x = depth / R;
+  return tension * tissue.tension_N_per_mm * depth + tissue.capsule_N_per_mm * depth * depth / R * (0.2 + 3.6 * std::sqrt(x) * chi);
 }
 
 double inclusion_factor(const Site& site, const Tissue& tissue, double contact_mm) {
@@ -68,7 +63,7 @@ double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   const bool deep = site.strains == Strains::finite && !flat && tissue.law->name != "hooke_linear";
   const double factor = layer_factor(flat, site.bonded, tissue.nu, a / h) * (deep ? neo_hookean_depth(depth / R, a / h) : 1);
   return half_space * from_nu * factor * law_over_neo_hookean(tissue, flat ? depth / (5 * R) : a / R * representative_strain(deep, depth / R, a / h)) * inclusion_factor(site, tissue, a) +
-         skin_force(tissue, R, depth);
+         skin_force(tissue, R, depth, a / h);
 }
 
 }  // namespace palpate::loop

@@ -221,6 +221,22 @@ double share_of_one_run(const Linear& l, int column, const std::vector<int>& len
   return largest;
 }
 
+/// How much the last effect of a model changes the fitted forces: root mean square, relative to the largest force.
+double change_by_last(const Session& s, const Model& model) {
+  Model without = model;
+  without.active.pop_back();
+  double squares = 0, largest = 0;
+  long blocks = 0;
+  for (std::size_t run : s.problem.runs) {
+    if (s.set->runs[run].role != Role::fit) continue;
+    const VectorXd with = s.forward->predicted(run, model);
+    squares += (with - s.forward->predicted(run, without)).squaredNorm();
+    largest = std::max(largest, with.cwiseAbs().maxCoeff());
+    blocks += with.size();
+  }
+  return std::sqrt(squares / std::max(blocks, 1L)) / std::max(largest, 1e-300);
+}
+
 double null_excess(const Session& s) {
   double blocks = 0;
   for (std::size_t run : s.problem.runs) blocks += s.forward->blocks(run);
@@ -255,6 +271,10 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
     const int column = l.scores.best[t.candidate], blocks = static_cast<int>(l.S.data.rows());
     if (!own.effect->lateral && std::abs(own.amplitude) * l.whitened_S.col(column).head(blocks).norm() < thresholds::visible) {
       t.reason = "too small to change any force beyond noise";
+      continue;
+    }
+    if (!own.effect->lateral && change_by_last(s, t.fit.model) < thresholds::matters) {
+      t.reason = "changes the forces by less than repeatability and curves are known to";
       continue;
     }
     if (made_up(s, current.model, t.fit.model)) {

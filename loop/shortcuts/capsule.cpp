@@ -1,4 +1,4 @@
-// Capsule: a thin elastic skin stretched by the dimple, 3 c2 E h δ²/R.
+// Capsule: a thin elastic skin stretched by the dimple: E h δ²/R (0.2 + 3.6 √x χ), as backbone.hpp says.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/register.hpp>
 
@@ -6,7 +6,7 @@ namespace palpate::shortcuts {
 
 Effect capsule() {
   Effect effect;
-  effect.entry = {"layer", "capsule", "a thin stiff skin lies on the tissue: wide dimples, more for small tools", "Johnson 1985, Contact Mechanics, eq. 3.42 (deflection); energy of stretch over it",
+  effect.entry = {"layer", "capsule", "a thin stiff skin lies on the tissue: wide dimples, more for small tools", "fitted to a membrane on a layer by GetFEM (decision 042)",
                   {{"Eh", "N/mm", {0, 100}, 0.02, "Young's modulus times thickness of the skin"}}};
   effect.separates = "two radii";
   effect.needs_contact = true;
