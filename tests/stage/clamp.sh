@@ -68,7 +68,7 @@ rows = [{k: float(v) for k, v in r.items()} for r in csv.DictReader(open("presse
 largest = max(r["internal[mJ]"] for r in rows)
 for r in rows:
     rest = r["external[mJ]"] - sum(r[f"{e}[mJ]"] for e in ("kinetic", "internal", "contact", "damping"))
-    if not abs(rest) <= 0.001 * largest:  # 1 % is the limit; truncation leaves 0.005 %
+    if not abs(rest) <= 0.001 * largest:  # 1 % is the limit; truncation leaves 0.04 % on this mesh
         raise SystemExit(f"energies leave {rest} mJ of {largest} mJ at {r['t[s]']} s")
     if not r["contact[mJ]"] >= -0.01 * largest:
         raise SystemExit(f"contact made {-r['contact[mJ]']} mJ of {largest} mJ by {r['t[s]']} s")
