@@ -6,6 +6,11 @@
 #include <tests/verify/case_runs.hpp>
 
 using namespace palpate;
+
+namespace palpate::effects {
+/// The name of a test shows this.
+void PrintTo(const Effect& tested, std::ostream* out) { *out << tested.entry.name; }
+}  // namespace palpate::effects
 using effects::Effect;
 using effects::Mat3;
 using effects::Point;

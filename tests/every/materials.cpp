@@ -6,6 +6,11 @@
 
 using namespace palpate::materials;
 
+namespace palpate::materials {
+/// The name of a test shows this.
+void PrintTo(const Law& tested, std::ostream* out) { *out << tested.entry.name; }
+}  // namespace palpate::materials
+
 namespace {
 
 std::vector<double> typical(const Law& law) {

@@ -10,6 +10,11 @@
 #include <tests/verify/block_surface.hpp>
 
 using namespace palpate::tools;
+
+namespace palpate::tools {
+/// The name of a test shows this.
+void PrintTo(const Shape& tested, std::ostream* out) { *out << tested.entry.name; }
+}  // namespace palpate::tools
 using Eigen::Vector3d;
 
 namespace {
