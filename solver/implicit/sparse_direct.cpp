@@ -50,7 +50,7 @@ SparseDirect::SparseDirect(int unknowns, std::vector<int> rows, std::vector<int>
   m.id.comm_fortran = -987654;   // MPI_COMM_WORLD of the sequential library
   m.call(-1);
   for (int stream : {1, 2, 3, 4}) m.icntl(stream) = stream == 4 ? 0 : -1;  // silent
-  m.icntl(7) = 5;    // METIS
+  m.icntl(7) = 4;    // PORD; told METIS, Debian's MUMPS takes SCOTCH, which orders a large pattern differently in every run
   m.icntl(12) = 1;   // ordering of the pattern alone; the default would weigh values, which are not known yet, for most of the time
   m.icntl(27) = 32;  // right-hand sides at a time
   m.icntl(14) = 60;  // per cent of extra workspace for pivoting

@@ -11,7 +11,7 @@ namespace palpate::implicit {
 
 class SparseDirect {
  public:
-  /// Analyses the pattern, one-based; of a symmetric matrix the lower triangle. The ordering is METIS: MUMPS' own choice differs between runs.
+  /// Analyses the pattern, one-based; of a symmetric matrix the lower triangle. The ordering is PORD's: SCOTCH's differs between runs.
   SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, bool symmetric, int threads);
   ~SparseDirect();
   SparseDirect(SparseDirect&&) noexcept;

@@ -101,3 +101,21 @@ TEST(KeptFactor, ThreadsDoNotChangeABit) {
   EXPECT_EQ(one.state.nodal, two.state.nodal);
   EXPECT_EQ(one.work.factors, two.work.factors);
 }
+
+TEST(SparseDirect, OrdersALargePatternAlikeEveryTime) {
+  const auto model = brick(uniform(0, 1, 16), uniform(0, 1, 16), uniform(0, 1, 16));
+  const implicit::BlockMatrix tangent(static_cast<int>(model.points.size()), model.tets);
+  std::vector<Eigen::VectorXd> solutions;
+  std::vector<int> rows, columns;
+  tangent.coordinates(rows, columns);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < rows.size(); ++i) values.push_back(rows[i] == columns[i] ? 200 + i % 7 : 1.0 / (1 + i % 11));
+  for (int turn = 0; turn < 2; ++turn) {
+    implicit::SparseDirect solver(4 * tangent.nodes(), rows, columns, true, 1);
+    ASSERT_TRUE(solver.factor(values));
+    Eigen::VectorXd x = Eigen::VectorXd::Ones(4 * tangent.nodes());
+    solver.solve(x);
+    solutions.push_back(x);
+  }
+  EXPECT_EQ(solutions[0], solutions[1]);
+}
