@@ -44,6 +44,8 @@ Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
     text << "the wall between the jaws is thicker than the tube's radius: " << thickest << " mm, and its mid-surface is " << top - bottom - thickest << " mm high";
     throw Failure(ExitCode::misuse, text.str(), "", "a mesh of a thinner wall (palpate-mesh --thickness, --offset)");
   }
+  near_.assign(wall.rest.size(), 0);
+  for (const auto& [a, b] : wall.edges) margin_ = std::max(margin_, 2 * length3(wall.rest[b] - wall.rest[a]));
   start_gap_ = clamp.open.value_or(top - bottom);
   if (start_gap_ < (top - bottom) * (1 - 1e-9)) {
     std::ostringstream text;
@@ -77,8 +79,10 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, dou
     forces_[j].setZero();
     const Vector3d jaw_velocity = j == 0 ? Vector3d(velocity_ * clamp_.axis) : Vector3d(Vector3d::Zero());
     const Lanes face{jaws_[j].face[0], jaws_[j].face[1], jaws_[j].face[2], 0}, back{jaws_[j].frame(0, 2), jaws_[j].frame(1, 2), jaws_[j].frame(2, 2), 0};
+    const Lanes along{jaws_[j].frame(0, 1), jaws_[j].frame(1, 1), jaws_[j].frame(2, 1), 0};
     for (std::size_t i = 0; i < state.x.size(); ++i) {
       const Lanes from = state.x[i] - face;
+      near_[i] = dot3(from, back) > -margin_ && std::abs(dot3(from, along)) < clamp_.length / 2 + margin_;
       if (dot3(from, back) < -wall.thickness[i] / 2 || dot3(from, from) > reach * reach) continue;
       const auto d = distance(jaws_[j], vector(state.x[i]));
       const double depth = wall.thickness[i] / 2 - d.g;
@@ -106,6 +110,7 @@ void Jaws::touch_between(int j, const Wall& wall, const WallState& state, double
   const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
   const Lanes face{jaw.face[0], jaw.face[1], jaw.face[2], 0}, back{jaw.frame(0, 2), jaw.frame(1, 2), jaw.frame(2, 2), 0};
   const auto keep_outside = [&](const auto& nodes) {
+    if (!near_[nodes[0]]) return;
     const double share = 1.0 / nodes.size();
     Lanes middle{};
     double clear = 0;

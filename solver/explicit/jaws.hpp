@@ -65,6 +65,8 @@ class Jaws {
   std::array<Jaw, 2> jaws_;
   std::array<Eigen::Vector3d, 2> forces_;
   std::vector<int> touched_;
+  std::vector<char> near_;  ///< nodes from which an edge, stretched to twice its length, may reach the jaw that is being touched
+  double margin_ = 0;       ///< that length, mm
   double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0, moved_ = 0, force_before_ = 0;
 };
 
