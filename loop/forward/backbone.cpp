@@ -61,7 +61,8 @@ double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   const double a = flat ? R : std::sqrt(R * depth);
   const double half_space = flat ? 8 * R * mu * depth : 16.0 / 3 * mu * a * depth;
   const bool deep = site.strains == Strains::finite && !flat && tissue.law->name != "hooke_linear";
-  const double factor = layer_factor(flat, site.bonded, tissue.nu, a / h) * (deep ? neo_hookean_depth(depth / R, a / h) : 1);
+  double factor = layer_factor(flat, site.bonded, tissue.nu, a / h);
+  if (deep) factor *= neo_hookean_depth(depth / R, a / h) * (1 + (0.5 - tissue.nu) * (0.3 + 1.4 * depth / R));
   return half_space * from_nu * factor * law_over_neo_hookean(tissue, flat ? depth / (5 * R) : a / R * representative_strain(deep, depth / R, a / h)) * inclusion_factor(site, tissue, a) +
          skin_force(tissue, R, depth, a / h);
 }

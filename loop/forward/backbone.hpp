@@ -22,8 +22,8 @@ struct Site {
 
 /// F(δ) in N. Ball: Hertz 16/3 μ √R δ^1.5, times the exact factor of the layer, times neo_hookean_depth (finite strains), times the law's stress over
 /// the neo-Hookean one at the uniaxial stretch 1 − y a/R, a = √(Rδ), y = representative_strain. Flat punch: 8 a μ δ, likewise at 1 − δ/(5a), without a factor for depth. Skin: its tension
-/// over the deflection of Hertz' solution, 2 c1 T δ, and its stretch, E h δ²/R (0.2 + 3.6 √x χ), fitted as neo_hookean_depth is: within 12 % of GetFEM from x = 0.2. ν: 1/(2 (1 − ν)) and
-/// the layer's own. Inclusion: F (1 + e s³/(1 + s³)), s = a/depth. Sides of a block or cylinder are not seen.
+/// over the deflection of Hertz' solution, 2 c1 T δ, and its stretch, E h δ²/R (0.2 + 3.6 √x χ), fitted as neo_hookean_depth is: within 12 % of GetFEM from x = 0.2. ν: 1/(2 (1 − ν)), the layer's
+/// own, and at finite strains 1 + (½ − ν)(0.3 + 1.4 x), fitted to GetFEM with ν from 0.4 (at 0.45 within 2.5 %). Inclusion: F (1 + e s³/(1 + s³)), s = a/depth. Sides of a block or cylinder are not seen.
 double elastic_force(const Site& site, const Tissue& tissue, double depth_mm);
 
 /// Force of a neo-Hookean bonded layer under a ball over its small-strain force: 1 − 0.054 √x − 0.118 x − 0.323 x χ, x = δ/R, χ = √(Rδ)/h. Fitted to solutions by

@@ -54,6 +54,18 @@ TEST(Backbone, FiniteStrainFollowsGetfem) {
   }
 }
 
+TEST(Backbone, CompressibilityFollowsGetfem) {
+  Tissue tissue;
+  tissue.law = &law_named("neo_hookean");
+  tissue.parameters = {0.01};
+  Tissue soft = tissue;
+  soft.nu = 0.45;
+  for (const auto& [radius, depth, ratio] : std::initializer_list<std::array<double, 3>>{{5, 1.15, 0.9250}, {5, 2.3, 0.9351}, {5, 4.6, 0.9590}, {2.5, 0.99, 0.9371}, {2.5, 3, 0.9726}}) {
+    const Site site{{"ball", radius}, {0, 0, 0}, 20, true};
+    EXPECT_TRUE(std::abs(elastic_force(site, soft, depth) / elastic_force(site, tissue, depth) / ratio - 1) <= 0.025) << radius << " " << depth;
+  }
+}
+
 TEST(Backbone, SmallStrainsAreHertzTimesTheLayer) {
   Site site{{"ball", 5.0}, {0, 0, 0}, 20, true, Strains::small};
   Tissue tissue;
