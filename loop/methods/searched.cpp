@@ -31,10 +31,8 @@ Searched with(Strains strains, const Set& set, const std::function<void(Forward&
 /// What is unexplained counts as more effects than the search may take.
 int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained ? thresholds::most_effects + 1 : static_cast<int>(t.effects.size()); }
 
-bool better(const CurveTried& a, const CurveTried& b) {
-  const double margin = 2 * thresholds::alternative;
-  if (effects_of(a) != effects_of(b)) return effects_of(a) < effects_of(b) && (b.kind == VerdictKind::unexplained || a.chi2 <= b.chi2 + margin);
-  return a.chi2 < b.chi2 - margin;
+bool simpler(const CurveTried& a, const CurveTried& b) {
+  return effects_of(a) < effects_of(b) && (b.kind == VerdictKind::unexplained || a.chi2 <= b.chi2 + 2 * thresholds::alternative);
 }
 
 }  // namespace
@@ -47,7 +45,7 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   if (!pressed || !set.specimen.case_file.empty() || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
   remark("the same with closed forms of small strain");
   Searched small = with(Strains::small, set, {}, threads, null_sets, seed, remark);
-  const bool taken = better(small.curves.front(), finite.curves.front());
+  const bool taken = simpler(small.curves.front(), finite.curves.front());
   Searched& best = taken ? small : finite;
   best.curves.push_back((taken ? finite : small).curves.front());
   if (taken)
