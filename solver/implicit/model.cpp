@@ -52,6 +52,8 @@ bool is_conservative(const Model& model) {
   if (has_friction(model) || !model.passes.empty()) return false;
   for (const auto& bed : model.region_forces)
     if (!bed.effect.force.symmetric(bed.parameters)) return false;
+  for (const auto& tool : model.tools)  // what reaches out acts on the area that the tool sees
+    if (std::any_of(tool.tractions.begin(), tool.tractions.end(), [](const auto& active) { return active.effect.traction.reach != nullptr; })) return false;
   std::map<int, int> held;  // components of each node, one bit each
   for (const auto& p : model.prescribed)
     if (p.component < 3) held[p.node] |= 1 << p.component;

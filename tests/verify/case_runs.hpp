@@ -119,7 +119,7 @@ class CaseRuns : public InFolder {
         worst = std::max(worst, std::abs(differences[i] - rows[i][column + k * per_number]));
       }
       EXPECT_GT(largest, 0) << numbers[k];
-      EXPECT_LE(worst, 1e-4 * largest) << numbers[k] << told(differences, rows, column + k * per_number);
+      EXPECT_LE(worst, 5e-5 * largest) << numbers[k] << told(differences, rows, column + k * per_number);
     }
   }
 };
