@@ -6,7 +6,7 @@
 
 BIN: the folder of the executables. FOLDER: meshes, cases and table.csv. EDGE_MM: element sizes of palpate-mesh under the ball (default 0.8 0.55 0.4).
 GetFEM (Renard and Poulios 2020, ACM Trans. Math. Softw. 47:4; Debian: python3-getfem) solves a quarter with quadratic displacements, linear pressure
-and linear contact multipliers (Alart and Curnier 1991) on structured tetrahedra of two sizes. Numbers kept, not asserted.
+and quadratic contact multipliers (Alart and Curnier 1991) on structured tetrahedra of two sizes. Numbers kept, not asserted.
 """
 import csv
 import pathlib
@@ -29,7 +29,7 @@ def getfem_forces(cells):
     for region, (axis, value) in enumerate([(2, 0.0), (2, HEIGHT), (0, 0.0), (1, 0.0)], start=1):
         mesh.set_region(region, faces_at(mesh, axis, value))
     u, p, c = gf.MeshFem(mesh, 3), gf.MeshFem(mesh, 1), gf.MeshFem(mesh, 1)
-    u.set_classical_fem(2), p.set_classical_fem(1), c.set_classical_fem(1)
+    u.set_classical_fem(2), p.set_classical_fem(1), c.set_classical_fem(2)  # linear contact pressures let the surface wrinkle
     inside = gf.MeshIm(mesh, gf.Integ("IM_TETRAHEDRON(5)"))
     model = gf.Model("real")
     model.add_fem_variable("u", u)

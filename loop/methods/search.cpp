@@ -237,6 +237,14 @@ double change_by_last(const Session& s, const Model& model) {
   return std::sqrt(squares / std::max(blocks, 1L)) / std::max(largest, 1e-300);
 }
 
+/// The same in deviations of noise, over the first `blocks` rows: the curves.
+double whitened_change_by_last(const Session& s, Model model, int blocks) {
+  Model without = model;
+  without.active.pop_back();
+  const VectorXd with = whitened(s.problem, s.problem.whiteners, residual(s.problem, model));
+  return (with - whitened(s.problem, s.problem.whiteners, residual(s.problem, without))).head(blocks).norm();
+}
+
 /// Misfit beyond one per block.
 double excess(const Session& s, double chi2) {
   for (std::size_t run : s.problem.runs) chi2 -= s.forward->blocks(run);
@@ -269,8 +277,7 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
       t.reason = "no more than how a tool is set up by hand";
       continue;
     }
-    const int column = l.scores.best[t.candidate], blocks = static_cast<int>(l.S.data.rows());
-    if (!own.effect->lateral && std::abs(own.amplitude) * l.whitened_S.col(column).head(blocks).norm() < thresholds::visible) {
+    if (!own.effect->lateral && whitened_change_by_last(s, t.fit.model, static_cast<int>(l.S.data.rows())) < thresholds::visible) {
       t.reason = "too small to change any force beyond noise";
       continue;
     }

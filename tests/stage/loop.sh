@@ -87,3 +87,33 @@ got=0
 # A key the loop does not know is read over and told.
 sed 's/^order = 1$/order = 1\nweather = "fair"/' relaxes/set.toml >relaxes/odd.toml
 "$bin/palpate-loop" check relaxes/odd.toml | grep -q 'weather: the loop does not know this key' || { echo "an unknown key is not told" >&2; exit 1; }
+
+# Rubber that stiffens at five-fold stretch: its law's constants are tiny beside mu, its forces are not.
+mkdir rubber
+cat >rubber/set.toml <<'TOML'
+schema = "palpate-set/1"
+[specimen]
+id = "rubber"
+law = "neo_hookean"
+[[run]]
+id = "pulled"
+file = "pulled.csv"
+test = "uniaxial"
+order = 1
+role = "fit"
+TOML
+python3 - <<'P'
+rows = ["stretch[1],P[MPa]"]
+for i in range(1, 67, 3):
+    l = 1 + 0.1 * i
+    J = l * l + 2 / l - 3
+    rows.append(f"{l:.3f},{2 * (l - 1 / l**2) * (0.16 - 1e-3 * J + 5e-5 * J * J):.6f}")  # Yeoh
+open("rubber/pulled.csv", "w").write("\n".join(rows) + "\n")
+P
+"$bin/palpate-loop" run rubber/set.toml stiffens --quiet >/dev/null
+python3 - <<'P'
+import json
+report = json.load(open("stiffens/report.json"))
+error = [report["error"][when]["fit"]["percent"] for when in ("before", "after")]
+assert report["verdict"]["kind"] == "ranking_only" and report["verdict"]["alternatives"] == [["stiffening"]] and error[1] < 0.3 * error[0], (report["verdict"], error)
+P
