@@ -23,7 +23,7 @@ Effect inclusion() {
     std::vector<std::vector<double>> grid;
     if (sites.size() > 1)  // with one site only, a part of it that differs is the tissue
       for (const Vec3& s : sites)
-        for (double depth : {1.5, 4.0, 12.0}) grid.push_back({s[0], s[1], s[2], depth});
+        for (double depth : {4.0, 12.0}) grid.push_back({s[0], s[1], s[2], depth});
     return grid;
   };
   effect.tissue = [](double e, std::span<const double> shape, Tissue& tissue) {
