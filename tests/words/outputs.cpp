@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/outputs.hpp>
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <palpate/card.hpp>
@@ -67,7 +68,8 @@ TEST_F(Outputs, RefusesToReplace) {
   EXPECT_THROW(PendingOutput(folder / "a.txt", Kind::folder, true), Failure);
   EXPECT_THROW(PendingOutput(folder / "f", Kind::file, true), Failure);
   EXPECT_THROW(PendingOutput(folder / "f", Kind::folder, true), Failure);  // no card says it is ours
-  EXPECT_THROW(PendingOutput("/dev/null", Kind::file, true), Failure);
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(PendingOutput(folder / "pipe", Kind::file, true), Failure);  // neither a file nor a folder
   EXPECT_THROW(PendingOutput(folder / "missing" / "a.txt", Kind::file, true), Failure);
   EXPECT_EQ(read_text(folder / "a.txt"), "old");
 }
