@@ -44,6 +44,18 @@ std::vector<double> effect_parameters(const effects::Effect& effect, const Setti
   return values;
 }
 
+}  // namespace
+
+effects::Active read_effect(const Settings& table) {
+  const effects::Effect effect = named(effects::all(), table, "name");
+  const auto values = effect_parameters(effect, table);
+  if (effect.objection)
+    if (const std::string objection = effect.objection(values); !objection.empty()) throw Failure(ExitCode::misuse, objection, table.where());
+  return {effect, values};
+}
+
+namespace {
+
 /// Whether it is meant for the material with this number.
 bool covers(const GivenEffect& given, const Case& c, int material) { return given.region.empty() || given.region == c.material_regions[material]; }
 
@@ -127,12 +139,8 @@ void read_effects(const Settings& settings, Case& c) {
   const auto tables = settings.tables("effect");
   const double tools = static_cast<double>(settings.tables("tool").size());
   for (const auto& table : tables) {
-    const effects::Effect effect = named(effects::all(), table, "name");
-    const auto values = effect_parameters(effect, table);
-    if (effect.objection)
-      if (const std::string objection = effect.objection(values); !objection.empty()) throw Failure(ExitCode::misuse, objection, table.where());
-    GivenEffect given{{effect, values}, "", table.where()};
-    if (effect.traction.respond && table.has("tool")) given.tool = static_cast<int>(table.integer("tool", 0, {1, tools}));
+    GivenEffect given{read_effect(table), "", table.where()};
+    if (given.effect.traction.respond && table.has("tool")) given.tool = static_cast<int>(table.integer("tool", 0, {1, tools}));
     add_to_tissue(table, given, c);
     c.effects.push_back(std::move(given));
   }

@@ -36,6 +36,9 @@ void read_loads(const Settings& settings, Case& c);
 /// What acts before the tools come grows from t = −1 to 0.
 void plan_settling(Case& c, int steps);
 
+/// Name and numbers of one [[effect]]. Throws Failure(misuse).
+effects::Active read_effect(const Settings& table);
+
 /// [[effect]] into the model; what is on tools waits for them in Case::effects.
 void read_effects(const Settings& settings, Case& c);
 

@@ -119,24 +119,37 @@ PALPATE_INLINE void add_last_term(const ShellStrain<T>& s, const InPlane<T>& H, 
            sum.N.xy - (BHxx * s.Byx + BHxy * s.Byy) - two * (s.Bxx * Vxy + s.Bxy * Vyy)};
 }
 
+/// A sum over points of the thickness, before the last term is added.
+template <class T>
+struct LayerSum {
+  ShellStress<T> stress;
+  InPlane<T> H{T{}, T{}, T{}};  ///< by Q
+  T r{};                        ///< by k2
+};
+
+/// A point at ζ with the weight w (mm): its S, conjugate to ½ δC.
+template <class T>
+PALPATE_INLINE void add_layer(const ShellStrain<T>& s, const T& zeta, const T& w, const InPlane<T>& stress, LayerSum<T>& sums) {
+  ShellStress<T>& sum = sums.stress;
+  const InPlane<T> S{w * stress.xx, w * stress.yy, w * stress.xy};
+  sum.N = {sum.N.xx + S.xx, sum.N.yy + S.yy, sum.N.xy + S.xy};
+  sum.M = {sum.M.xx + zeta * S.xx, sum.M.yy + zeta * S.yy, sum.M.xy + zeta * S.xy};
+  const T square = zeta * zeta, over = 1.0 / (1.0 + square * s.k2), q = 0.5 * square * (square * s.k2) * over;
+  sums.H = {sums.H.xx + q * S.xx, sums.H.yy + q * S.yy, sums.H.xy + q * S.xy};
+  sums.r += 0.5 * square * square * over * over * (S.xx * s.Q.xx + S.yy * s.Q.yy + 2.0 * (S.xy * s.Q.xy));
+}
+
 template <class T, class Law>
 PALPATE_INLINE ShellStress<T> shell_stress(const ShellRest<T>& rest, const ShellStrain<T>& s, const Law& law) {
-  ShellStress<T> sum;
-  InPlane<T> H{T{}, T{}, T{}};  // by Q
-  T r{};                        // by k2
+  LayerSum<T> sums;
   for (int i = 0; i < layers; ++i) {
     const T zeta = 0.5 * layer_place[i] * rest.thickness, w = 0.5 * layer_weight[i] * rest.thickness;
     const auto p = law(at_layer(s, zeta));
-    const InPlane<T> S{w * p.S.xx, w * p.S.yy, w * p.S.xy};
-    sum.N = {sum.N.xx + S.xx, sum.N.yy + S.yy, sum.N.xy + S.xy};
-    sum.M = {sum.M.xx + zeta * S.xx, sum.M.yy + zeta * S.yy, sum.M.xy + zeta * S.xy};
-    sum.W += w * p.W;
-    const T square = zeta * zeta, over = 1.0 / (1.0 + square * s.k2), q = 0.5 * square * (square * s.k2) * over;
-    H = {H.xx + q * S.xx, H.yy + q * S.yy, H.xy + q * S.xy};
-    r += 0.5 * square * square * over * over * (S.xx * s.Q.xx + S.yy * s.Q.yy + 2.0 * (S.xy * s.Q.xy));
+    add_layer(s, zeta, w, p.S, sums);
+    sums.stress.W += w * p.W;
   }
-  add_last_term(s, H, r, sum);
-  return sum;
+  add_last_term(s, sums.H, sums.r, sums.stress);
+  return sums.stress;
 }
 
 /// The principle of virtual work: ½ N : δa + ½ M : δK.

@@ -6,6 +6,7 @@
 
 #include <palpate/errors.hpp>
 #include <solver/case_parts.hpp>
+#include <solver/explicit/case_effects.hpp>
 #include <solver/selection.hpp>
 
 namespace palpate::explicit_shell {
@@ -22,7 +23,8 @@ const std::vector<std::pair<std::string, ShellLaw (*)(const std::vector<double>&
     {"ogden", [](const std::vector<double>& p) -> ShellLaw { return materials::OgdenShell{{p[0], p[2], p[4]}, {p[1], p[3], p[5]}}; }},
     {"hooke", [](const std::vector<double>& p) -> ShellLaw { return materials::HookeShell{p[0], p[1]}; }}};
 
-ShellLaw read_law(const Settings& settings, Json& facts) {
+/// The same law for thin walls, and in three dimensions for effects.
+ShellLaw read_law(const Settings& settings, Json& facts, elements::Material& solid) {
   std::vector<std::string> names;
   for (const auto& [name, make] : shell_laws) names.push_back(name);
   const std::string name = settings.choice("law", names);
@@ -33,6 +35,7 @@ ShellLaw read_law(const Settings& settings, Json& facts) {
     if (settings.has(key))
       throw Failure(ExitCode::misuse, std::string(key) + ": thin walls keep their volume, the thickness follows from the stretch", settings.where(key), "leave it out");
   facts["law"] = name;
+  solid = {law, values, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < values.size(); ++i) facts["parameters"][law.entry.parameters[i].name] = values[i];
   return std::find_if(shell_laws.begin(), shell_laws.end(), [&](const auto& l) { return l.first == name; })->second(values);
 }
@@ -50,7 +53,7 @@ Clamp read_clamp(const Settings& s, const ShellMesh& mesh) {
   const double thickest = *std::max_element(mesh.thickness_mm.begin(), mesh.thickness_mm.end());
   c.gap = s.has("gap_mm") ? s.real("gap_mm", {0, 1e4}) : 2 * thickest + s.real("margin_mm", 0.2, {0, 1e3});
   if (s.has("open_mm")) c.open = s.real("open_mm", {1e-3, 1e4});
-  c.friction = s.real("friction", 0, {0, 10});
+  if (s.has("friction")) c.tractions.push_back({effects::friction(), {s.real("friction", {0, 10})}});
   if (s.has("pressure_MPa")) c.pressure = s.real("pressure_MPa", {1e-9, 1e6});
   c.mass = s.real("mass_g", c.mass * 1e6, {1e-6, 1e9}) * 1e-6;
   c.jaw_damping = s.real("damping_N_s_mm", 0, {0, 1e6});
@@ -79,6 +82,7 @@ void read_steps(const Settings& settings, Case& c) {
   c.damping = s.real("damping_1_s", c.damping, {0, 1e9});
   c.least_step = s.real("least_step_s", 0, {0, 1});
   c.kinetic_part = s.real("kinetic_part", 0, {0, 1});
+  c.settle = s.real("settle_s", 0, {0, 1e3});
   if (c.kinetic_part > 0 && c.clamp.pressure)
     throw Failure(ExitCode::misuse, "a jaw that a pressure drives does not wait", s.where("kinetic_part"), "leave it out, or [clamp] speed_mm_s instead of pressure_MPa");
   c.frames = static_cast<int>(s.integer("frames", c.frames, {1, 10000}));
@@ -116,13 +120,17 @@ Case read_case(const std::filesystem::path& path, const std::filesystem::path& m
   c.mesh_path = mesh_override.empty() ? path.parent_path() / mesh : mesh_override;
   c.mesh = read_shells(c.mesh_path);
   const Settings material = settings.table("material");
-  const ShellLaw law = read_law(material, c.law);
+  const ShellLaw law = read_law(material, c.law, c.tissue.material);
+  const auto given = given_effects(settings);
+  thicken(given, c.mesh);
   c.wall = make_wall(c.mesh, law, 1e-12 * material.real("density_kg_m3", 1050, {1e-3, 1e5}));
   c.holds = read_ends(settings, c.mesh, c.wall);
   const Settings clamp = settings.table("clamp");
   c.clamp = read_clamp(clamp, c.mesh);
   c.self_friction = clamp.real("self_friction", 0, {0, 10});
   read_steps(settings, c);
+  for (const auto& one : given) c.law["effects"].push_back(one.active.effect.entry.name);
+  add_effects(given, c);
   scale_mass(c.wall, c.least_step);
   settings.expect_all_read();
   return c;

@@ -5,6 +5,7 @@
 
 #include <palpate/json.hpp>
 #include <palpate/settings.hpp>
+#include <solver/explicit/beds.hpp>
 #include <solver/explicit/jaws.hpp>
 
 namespace palpate::explicit_shell {
@@ -15,6 +16,8 @@ struct Case {
   Wall wall;
   Holds holds;
   Clamp clamp;
+  Tissue tissue;            ///< what effects add to the law
+  std::vector<Bed> beds;    ///< effects on the forces
   Json law;                 ///< name and parameters, for the summary
   double duration = 0;      ///< s; 0: the closing and a tenth more
   double safety = 0.7;      ///< of the stable step: what is left carries the contact's penalties
@@ -22,6 +25,7 @@ struct Case {
   double self_friction = 0;
   double least_step = 0;    ///< s: nodes get mass until every triangle is stable with it; 0: none
   double kinetic_part = 0;  ///< of the internal energy, that the jaws wait for; 0: they do not
+  double settle = 0;        ///< s before the jaws begin: layers' tensions grow, the wall comes to rest
   int frames = 10, rows = 200;
   bool keep_partial = false;
 };

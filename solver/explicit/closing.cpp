@@ -21,6 +21,7 @@ constexpr double paced_from = 0.03;            ///< of the closing: before, hard
 constexpr double least_pace = 0.02;
 constexpr double slowing = 0.5e-3, quickening = 5e-3;  ///< s
 constexpr double waiting_damping = 800;        ///< 1/s, where the jaws stand still
+constexpr double settling_damping = 400;       ///< 1/s, before the jaws begin
 constexpr double pressure_duration = 0.1;      ///< s, where the case does not say
 
 std::string place(const Wall& wall, int t) {
@@ -30,20 +31,16 @@ std::string place(const Wall& wall, int t) {
   return out.str();
 }
 
-std::vector<double> node_areas(const Wall& wall) {
-  std::vector<double> area(wall.rest.size(), 0);
-  for (int t = 0; t < wall.triangles.size(); ++t)
-    for (int i : wall.triangles[t]) area[i] += wall.packs[t / 4].rest.area[t % 4] / 3;
-  return area;
-}
-
 }  // namespace
 
 Closing::Closing(Case& the_case, int threads)
-    : c(the_case), motion(the_case.wall, the_case.holds, threads), jaws(the_case.clamp, the_case.wall), self(the_case.wall), node_area_(node_areas(the_case.wall)) {
+    : c(the_case), tissue(the_case.tissue.plain() ? std::nullopt : std::optional<TissueForces>(std::in_place, the_case.tissue, the_case.wall)),
+      motion(the_case.wall, the_case.holds, threads, tissue ? &*tissue : nullptr), jaws(the_case.clamp, the_case.wall), self(the_case.wall), node_area_(node_areas(the_case.wall)) {
   shortest_edge_ = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : c.wall.edges) shortest_edge_ = std::min(shortest_edge_, length3(c.wall.rest[b] - c.wall.rest[a]));
-  motion.damping = c.damping;
+  motion.damping = c.settle > 0 ? settling_damping : c.damping;
+  clock_ = -c.settle;
+  beds_stiffness_ = stiffness_per_mass(c.beds, c.wall);
   end = c.duration > 0 ? c.duration : c.clamp.pressure ? pressure_duration : 1.1 * jaws.closing_time();
 }
 
@@ -53,6 +50,9 @@ void Closing::contact() {
   jaws.touch(c.wall, motion.state, stiffness_, contact_damping, force);
   motion.add_tool_work(jaws.take_work());
   self.touch(motion.state, {stiffness_ / 2, contact_damping, c.self_friction}, force);
+  if (c.beds.empty()) return;
+  std::fill(motion.outside.load.begin(), motion.outside.load.end(), Lanes{});
+  press(c.beds, c.wall, motion.state, motion.outside.load);
 }
 
 /// The step that is stable now, of which `safety` is used, and when to ask again. Penalties take what the first step leaves of 4/dt² and
@@ -68,7 +68,8 @@ void Closing::judge() {
     }
     fastest = std::max(fastest, speed);
   }
-  const auto [stable, triangle] = motion.stable();
+  const auto [of_the_wall, triangle] = motion.stable();
+  const double stable = 2 / std::sqrt(4 / (of_the_wall * of_the_wall) + beds_stiffness_);
   if (first_stable_ == 0) {
     first_stable_ = stable;
     const double first = c.safety * stable;
@@ -86,6 +87,7 @@ void Closing::judge() {
   }
   step_ = std::min(c.safety * std::min(stable, first_stable_), moved_in_a_step * shortest_edge_ / std::max(fastest, 1e-300));
   const double steps = moved_between_judgements * shortest_edge_ / std::max(fastest * step_, 1e-300);
+  jaws.look(c.wall, motion.state);
   judged_again_ = cycles + static_cast<long>(std::clamp(steps, 1.0, static_cast<double>(most_cycles_between_judgements)));
 }
 
@@ -102,7 +104,15 @@ void Closing::keep_pace() {
 
 void Closing::advance(double dt) {
   contact();
-  jaws.move(clock_, pace_ * dt, dt);
+  jaws.remember();
+  remember(c.beds, c.wall, motion.state);
+  if (clock_ < 0) {
+    if (tissue) tissue->tension_rise = 1 + clock_ / c.settle;
+    if (clock_ + dt >= 0) motion.damping = c.damping;
+  } else {
+    if (tissue) tissue->tension_rise = 1;
+    jaws.move(clock_, pace_ * dt, dt);
+  }
   motion.step(dt);
   clock_ += pace_ * dt;
   if (++cycles % cycles_between_paces == 0) keep_pace();

@@ -26,6 +26,7 @@ struct Closing {
   explicit Closing(Case& the_case, int threads);
 
   Case& c;
+  std::optional<TissueForces> tissue;  ///< where effects add to the law
   Motion motion;
   Jaws jaws;
   SelfContact self;
@@ -41,6 +42,8 @@ struct Closing {
 
   /// Normal force of jaws and self-contact on each node over its area, MPa.
   std::vector<double> contact_pressure() const;
+  /// The tissue, or null.
+  const TissueForces* effects_on_stress() const { return tissue ? &*tissue : nullptr; }
 
  private:
   void advance(double dt);
@@ -49,6 +52,7 @@ struct Closing {
   void judge();
   double step_ = 0, stiffness_ = 0, first_stable_ = 0, shortest_edge_ = 0;
   double clock_ = 0, pace_ = 1;  ///< of the jaws: s, and how much slower than asked they go
+  double beds_stiffness_ = 0;   ///< over mass, 1/s²
   long judged_again_ = 0;
   std::vector<double> node_area_;
 };

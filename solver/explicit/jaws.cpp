@@ -6,14 +6,14 @@
 #include <sstream>
 
 #include <palpate/errors.hpp>
+#include <solver/explicit/block_triangle.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double clear_chord = 0.1;    ///< of the thickness, that the middles of the wall's edges and triangles keep from a jaw
-constexpr double sticking_speed = 1;  ///< mm/s below which friction grows with the speed
+constexpr double clear_chord = 0.1;    ///< of the thickness, that triangles between their nodes keep from a jaw
 
 Vector3d vector(const Lanes& a) { return {a[0], a[1], a[2]}; }
 
@@ -24,6 +24,13 @@ double smooth(double s) {
 }
 
 }  // namespace
+
+double Clamp::friction() const {
+  double sum = 0;
+  for (const auto& [effect, parameters] : tractions)
+    if (effect.traction.holds_on) sum += parameters[0];
+  return sum;
+}
 
 Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
   for (const auto& shape : tools::all())
@@ -44,7 +51,16 @@ Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
     text << "the wall between the jaws is thicker than the tube's radius: " << thickest << " mm, and its mid-surface is " << top - bottom - thickest << " mm high";
     throw Failure(ExitCode::misuse, text.str(), "", "a mesh of a thinner wall (palpate-mesh --thickness, --offset)");
   }
-  near_.assign(wall.rest.size(), 0);
+  is_near_.assign(wall.rest.size(), 0);
+  local_.assign(wall.rest.size(), Lanes{});
+  node_area_ = node_areas(wall);
+  node_normal_.assign(wall.rest.size(), Lanes{});
+  for (const auto& [a, b, c] : wall.triangles)
+    for (int i : {a, b, c}) node_normal_[i] += cross3(wall.rest[b] - wall.rest[a], wall.rest[c] - wall.rest[a]);
+  for (Lanes& n : node_normal_) n /= length3(n);
+  for (int j : {0, 1}) slips_[j].assign(wall.rest.size(), {}), slips_now_[j] = slips_[j];
+  for (const auto& [effect, parameters] : clamp.tractions)
+    if (effect.traction.reach) reach_ = std::max(reach_, effect.traction.reach(parameters));
   for (const auto& [a, b] : wall.edges) margin_ = std::max(margin_, 2 * length3(wall.rest[b] - wall.rest[a]));
   start_gap_ = clamp.open.value_or(top - bottom);
   if (start_gap_ < (top - bottom) * (1 - 1e-9)) {
@@ -72,61 +88,96 @@ tools::Distance Jaws::distance(const Jaw& jaw, const Vector3d& x) const {
   return d;
 }
 
-void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force) {
-  touched_.clear();
-  const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
+Lanes Jaws::local(const Jaw& jaw, const Lanes& x) const {
+  const Vector3d p = jaw.frame.transpose() * (vector(x) - jaw.face);
+  return Lanes{p.x(), p.y(), p.z() - clamp_.height / 2, 0};
+}
+
+void Jaws::look(const Wall& wall, const WallState& state) {
+  looked_at_ = travel_;
   for (int j : {0, 1}) {
-    forces_[j].setZero();
-    const Vector3d jaw_velocity = j == 0 ? Vector3d(velocity_ * clamp_.axis) : Vector3d(Vector3d::Zero());
-    const Lanes face{jaws_[j].face[0], jaws_[j].face[1], jaws_[j].face[2], 0}, back{jaws_[j].frame(0, 2), jaws_[j].frame(1, 2), jaws_[j].frame(2, 2), 0};
-    const Lanes along{jaws_[j].frame(0, 1), jaws_[j].frame(1, 1), jaws_[j].frame(2, 1), 0};
+    near_nodes_[j].clear(), near_triangles_[j].clear();
     for (std::size_t i = 0; i < state.x.size(); ++i) {
-      const Lanes from = state.x[i] - face;
-      near_[i] = dot3(from, back) > -margin_ && std::abs(dot3(from, along)) < clamp_.length / 2 + margin_;
-      if (dot3(from, back) < -wall.thickness[i] / 2 || dot3(from, from) > reach * reach) continue;
-      const auto d = distance(jaws_[j], vector(state.x[i]));
-      const double depth = wall.thickness[i] / 2 - d.g;
-      if (!(depth > 0)) continue;
-      const Vector3d v = vector(state.v[i]) - jaw_velocity;
-      const double normal = wall.mass[i] * std::max(stiffness * depth - 2 * damping * std::sqrt(stiffness) * v.dot(d.n), 0.0);
-      Vector3d f = normal * d.n;
-      if (clamp_.friction > 0) {
-        const Vector3d slip = v - v.dot(d.n) * d.n;
-        f -= clamp_.friction * normal / std::max(slip.norm(), sticking_speed) * slip;
-      }
-      force[i] += Lanes{f[0], f[1], f[2], 0};
-      forces_[j] += f;
-      deepest_ = std::max(deepest_, depth);
-      if (j == 0) touched_.push_back(static_cast<int>(i));
+      const Lanes x = local(jaws_[j], state.x[i]);
+      is_near_[i] = std::abs(x[0]) < clamp_.width / 2 + margin_ && std::abs(x[1]) < clamp_.length / 2 + margin_ && std::abs(x[2]) < clamp_.height / 2 + margin_;
+      if (is_near_[i]) near_nodes_[j].push_back(static_cast<int>(i));
     }
-    touch_between(j, wall, state, stiffness / 4, force);
+    for (int t = 0; t < static_cast<int>(wall.triangles.size()); ++t) {
+      const auto& [a, b, c] = wall.triangles[t];
+      if (is_near_[a] && is_near_[b] && is_near_[c]) near_triangles_[j].push_back(t);
+    }
   }
 }
 
-/// Where a thin wall bends around a jaw's edge the chord between nodes may cut it, though the nodes lie as they should: the middles of the
-/// wall's edges and triangles are kept outside, but not half a thickness away, for a chord of what is bent lies deeper than its ends.
-void Jaws::touch_between(int j, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force) {
-  const Jaw& jaw = jaws_[j];
-  const double reach = std::max({clamp_.width, clamp_.length, clamp_.height});
-  const Lanes face{jaw.face[0], jaw.face[1], jaw.face[2], 0}, back{jaw.frame(0, 2), jaw.frame(1, 2), jaw.frame(2, 2), 0};
-  const auto keep_outside = [&](const auto& nodes) {
-    if (!near_[nodes[0]]) return;
-    const double share = 1.0 / nodes.size();
-    Lanes middle{};
-    double clear = 0;
-    for (int i : nodes) middle += share * state.x[i], clear += share * clear_chord * wall.thickness[i];
-    const Lanes from = middle - face;
-    if (dot3(from, back) < -clear || dot3(from, from) > reach * reach) return;
-    const auto d = distance(jaw, vector(middle));
-    if (!(clear - d.g > 0)) return;
+void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force) {
+  touched_.clear();
+  if (!(std::abs(travel_ - looked_at_) < margin_ / 4)) look(wall, state);
+  for (int j : {0, 1}) {
+    forces_[j].setZero();
+    const Vector3d jaw_velocity = j == 0 ? Vector3d(velocity_ * clamp_.axis) : Vector3d(Vector3d::Zero());
+    for (int i : near_nodes_[j]) {
+      local_[i] = local(jaws_[j], state.x[i]);
+      if (local_[i][2] + clamp_.height / 2 < -wall.thickness[i] / 2 - reach_) continue;
+      const auto d = distance(jaws_[j], vector(state.x[i]));
+      const double depth = wall.thickness[i] / 2 - d.g;
+      if (!(depth > -reach_)) continue;
+      const Vector3d v = vector(state.v[i]) - jaw_velocity;
+      const double normal = depth > 0 ? wall.mass[i] * std::max(stiffness * depth - 2 * damping * std::sqrt(stiffness) * v.dot(d.n), 0.0) : 0;
+      Vector3d f = normal * d.n;
+      if (!clamp_.tractions.empty()) f += tractions_on(j, i, d, normal, stiffness, wall, state);
+      force[i] += Lanes{f[0], f[1], f[2], 0};
+      forces_[j] += f;
+      if (!(depth > 0)) continue;
+      deepest_ = std::max(deepest_, depth);
+      if (j == 0) touched_.push_back(i);
+    }
+    touch_between(j, wall, stiffness / 4, force);
+  }
+}
+
+/// Of effects on the traction, by the node's area. What holds on begins where the node first touched: the slip of one that does not is forgotten.
+Vector3d Jaws::tractions_on(int j, int i, const tools::Distance& d, double normal, double stiffness, const Wall& wall, const WallState& state) {
+  Vector3d sum = Vector3d::Zero();
+  contact::Touch touch{vector(state.x[i]) - jaws_[j].face, d, normal / node_area_[i], stiffness * wall.mass[i] / node_area_[i], stiffness * wall.mass[i] / node_area_[i], slips_[j][i]};
+  touch.distance.g -= wall.thickness[i] / 2;
+  const double facing = std::abs(vector(node_normal_[i]).dot(d.n));
+  slips_now_[j][i] = {touch.place, Vector3d::Zero()};
+  for (const auto& [effect, parameters] : clamp_.tractions) {
+    if (!(normal > 0) && !effect.traction.reach) continue;
+    if (effect.traction.holds_on && touch.before.place.isZero()) touch.before.place = touch.place;
+    const Vector3d t = effect.traction.respond(touch, parameters).value;
+    if (effect.traction.holds_on) slips_now_[j][i].shear = t;
+    sum += (effect.traction.reach ? facing : 1) * node_area_[i] * t;
+  }
+  if (!(normal > 0)) slips_now_[j][i] = {};
+  return sum;
+}
+
+void Jaws::remember() {
+  for (int j : {0, 1})
+    for (int i : near_nodes_[j]) slips_[j][i] = slips_now_[j][i], slips_now_[j][i] = {};
+}
+
+/// Where a thin wall bends around a jaw's edge a triangle between nodes that lie as they should may cut it: its point nearest to the jaw's core
+/// is kept outside, but not half a thickness away, for a chord of what is bent lies deeper than its ends.
+void Jaws::touch_between(int j, const Wall& wall, double stiffness, std::vector<Lanes>& force) {
+  const double r = std::min({clamp_.edge_radius, clamp_.width / 2, clamp_.length / 2, clamp_.height / 2});
+  const Lanes half{clamp_.width / 2 - r, clamp_.length / 2 - r, clamp_.height / 2 - r, 0};
+  const auto over_face = [&](const Lanes& x) { return std::abs(x[0]) <= half[0] && std::abs(x[1]) <= half[1]; };
+  for (int t : near_triangles_[j]) {
+    const auto& n = wall.triangles[t];
+    const std::array<Lanes, 3> x{local_[n[0]], local_[n[1]], local_[n[2]]};
+    const double clear = clear_chord * std::min({wall.thickness[n[0]], wall.thickness[n[1]], wall.thickness[n[2]]}), within = r + clear;
+    if (std::max({x[0][2], x[1][2], x[2][2]}) < -half[2] - within) continue;
+    if (over_face(x[0]) && over_face(x[1]) && over_face(x[2])) continue;  // its nodes say it all
+    const auto near = nearest_to_block(x, half, within);
+    if (!(near.distance < within) || !(near.distance > 0)) continue;
     double softness = 0;
-    for (int i : nodes) softness += share * share / wall.mass[i];
-    const Vector3d f = stiffness / softness * (clear - d.g) * d.n;
-    for (int i : nodes) force[i] += share * Lanes{f[0], f[1], f[2], 0};
+    for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall.mass[n[k]];
+    const Vector3d f = stiffness / softness * (within - near.distance) / near.distance * (jaws_[j].frame * vector(near.apart));
+    for (int k = 0; k < 3; ++k) force[n[k]] += near.weights[k] * Lanes{f[0], f[1], f[2], 0};
     forces_[j] += f;
-  };
-  for (const auto& edge : wall.edges) keep_outside(edge);
-  for (const auto& triangle : wall.triangles) keep_outside(triangle);
+  }
 }
 
 void Jaws::move(double clock, double pace, double dt) {

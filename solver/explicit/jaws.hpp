@@ -4,7 +4,8 @@
 #include <Eigen/Dense>
 #include <optional>
 
-#include <solver/contact/tool.hpp>
+#include <solver/archive.hpp>
+#include <solver/effects/effect.hpp>
 #include <solver/explicit/motion.hpp>
 
 namespace palpate::explicit_shell {
@@ -16,7 +17,8 @@ struct Clamp {
   double width = 40, length = 10, height = 10, edge_radius = 1;  ///< across the tube, along it, along the axis
   double gap = 2;                ///< between the faces when the jaw is stopped
   std::optional<double> open;    ///< between the faces at the start; by default both touch the wall
-  double friction = 0;
+  std::vector<effects::Active> tractions;  ///< between jaws and wall, besides the pressure: friction, adhesion
+  double friction() const;       ///< the coefficient of what holds on among them, for the summary
   double speed = 50;             ///< mm/s, of the motion: mean over the closing
   std::optional<double> pressure;  ///< MPa on the upper jaw instead of a motion
   double mass = 3e-5;            ///< tonne
@@ -34,8 +36,13 @@ class Jaws {
   double closing_time() const;  ///< s, of a prescribed motion
   double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
 
-  /// Adds forces on the wall's nodes within half a thickness of a face, and on those of edges and triangles whose middle would cut a jaw; `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
+  /// Finds the nodes and triangles that may touch before the wall has moved by its longest edge.
+  void look(const Wall& wall, const WallState& state);
+  /// Adds forces on the wall's nodes within half a thickness of a face, and on those of triangles that would cut a jaw between them;
+  /// `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
   void touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force);
+  /// What was slid at the last touch() is where friction goes on; once a step.
+  void remember();
   /// Moves the upper jaw by dt; a prescribed motion goes on from `clock` by `pace` (s).
   void move(double clock, double pace, double dt);
   /// Work of the upper jaw, on the wall and on what is stored between them, from the touch() before the last move() to the last touch();
@@ -56,17 +63,26 @@ class Jaws {
     Eigen::Vector3d face;    ///< the middle of its face
     Eigen::Matrix3d frame;   ///< columns: across, along, back into the block
   };
-  void touch_between(int jaw, const Wall& wall, const WallState& state, double stiffness, std::vector<Lanes>& force);
+  Lanes local(const Jaw& jaw, const Lanes& x) const;  ///< seen from the middle of the block
+  Eigen::Vector3d tractions_on(int jaw, int node, const tools::Distance& distance, double normal_force, double stiffness, const Wall& wall, const WallState& state);
+  void touch_between(int jaw, const Wall& wall, double stiffness, std::vector<Lanes>& force);
   tools::Distance distance(const Jaw& jaw, const Eigen::Vector3d& x) const;
 
   Clamp clamp_;
   tools::Shape block_;
   std::vector<double> parameters_;
   std::array<Jaw, 2> jaws_;
+  std::vector<double> node_area_;
+  std::vector<Lanes> node_normal_;  ///< at rest
+  double reach_ = 0;                ///< of the tractions, mm
+  std::array<std::vector<contact::Slip>, 2> slips_, slips_now_;  ///< of nodes that touch what holds on
   std::array<Eigen::Vector3d, 2> forces_;
   std::vector<int> touched_;
-  std::vector<char> near_;  ///< nodes from which an edge, stretched to twice its length, may reach the jaw that is being touched
-  double margin_ = 0;       ///< that length, mm
+  std::array<std::vector<int>, 2> near_nodes_, near_triangles_;
+  std::vector<char> is_near_;
+  std::vector<Lanes> local_;  ///< of nodes near the jaw that is being touched
+  double margin_ = 0;         ///< how near that is: twice the longest edge, mm
+  double looked_at_ = -1e30;  ///< travel when they were found
   double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0, moved_ = 0, force_before_ = 0;
 };
 

@@ -56,8 +56,8 @@ Lanes held(const Lanes& v, Hold hold, const Lanes& direction) {
 
 }  // namespace
 
-Motion::Motion(const Wall& wall, Holds holds, int threads)
-    : state(rest_state(wall)), wall_(wall), holds_(std::move(holds)), slots_(make_slots(wall)) {
+Motion::Motion(const Wall& wall, Holds holds, int threads, TissueForces* tissue)
+    : state(rest_state(wall)), wall_(wall), holds_(std::move(holds)), tissue_(tissue), slots_(make_slots(wall)) {
   outside = {std::vector<Lanes>(wall.rest.size(), Lanes{}), std::vector<Lanes>(wall.rest.size(), Lanes{}), std::vector<double>(wall.edges.size(), 0)};
   work_.assign(3 * wall.rest.size(), 0);
   edge_work_.assign(2 * wall.edges.size(), 0);
@@ -66,7 +66,7 @@ Motion::Motion(const Wall& wall, Holds holds, int threads)
     tangent_.push_back(t / length3(t));
   }
   if (threads > 1) team_ = std::make_unique<Team>(threads);
-  wall_forces(wall_, state, 0, static_cast<int>(wall_.packs.size()), slots_);
+  find_forces(0, static_cast<int>(wall_.packs.size()), 0);
 }
 
 Motion::~Motion() = default;
@@ -77,6 +77,11 @@ void Motion::phase(int count, int grain, const std::function<void(int, int)>& wo
   team_->run([&](int t) {
     work(static_cast<int>(static_cast<long long>(count) * t / threads), static_cast<int>(static_cast<long long>(count) * (t + 1) / threads));
   });
+}
+
+void Motion::find_forces(int from, int to, double dt) {
+  wall_forces(wall_, state, from, to, slots_);
+  if (tissue_) tissue_->add(state, time_, dt, from, to, slots_);
 }
 
 Lanes Motion::inner_force(int i) const {
@@ -130,8 +135,8 @@ void Motion::step(double dt) {
   const double dt_mid = dt_before_ > 0 ? (dt_before_ + dt) / 2 : dt / 2;  // from rest, velocities begin half a step later
   phase(static_cast<int>(wall_.rest.size()), 256, [&](int from, int to) { move_nodes(from, to, dt, dt_mid); });
   phase(static_cast<int>(wall_.edges.size()), 256, [&](int from, int to) { turn_edges(from, to, dt, dt_mid); });
-  phase(static_cast<int>(wall_.packs.size()), 32, [&](int from, int to) { wall_forces(wall_, state, from, to, slots_); });
   time_ += dt;
+  phase(static_cast<int>(wall_.packs.size()), 32, [&](int from, int to) { find_forces(from, to, dt); });
   dt_before_ = dt;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include <solver/explicit/tissue.hpp>
 #include <solver/explicit/wall_forces.hpp>
 
 namespace palpate::explicit_shell {
@@ -36,8 +37,8 @@ struct Outside {
 
 class Motion {
  public:
-  /// `threads` share the triangles. Forces at the start are found at once.
-  Motion(const Wall& wall, Holds holds, int threads);
+  /// `threads` share the triangles. Forces at the start are found at once. `tissue`: or null.
+  Motion(const Wall& wall, Holds holds, int threads, TissueForces* tissue = nullptr);
   ~Motion();
 
   WallState state;
@@ -67,8 +68,11 @@ class Motion {
   void turn_edges(int from, int to, double dt, double dt_mid);
   void phase(int count, int grain, const std::function<void(int, int)>& work);
 
+  void find_forces(int from, int to, double dt);
+
   const Wall& wall_;
   Holds holds_;
+  TissueForces* tissue_;
   Slots slots_;
   std::vector<Lanes> tangent_;  ///< of the edges, unit
   std::vector<double> work_;    ///< per node: load, contact, damping

@@ -42,7 +42,7 @@ struct Report {
     for (std::size_t i = 0; i < wall.rest.size(); ++i)
       for (int k = 0; k < 3; ++k) displacement.values.push_back(closing.motion.state.x[i][k] - wall.rest[i][k]);
     Field von_mises{"von_mises", 1, {}}, strain{"strain", 1, {}}, thickness{"thickness_now", 1, {}};
-    for (const auto& s : triangle_states(wall, closing.motion.state)) {
+    for (const auto& s : triangle_states(wall, closing.motion.state, closing.effects_on_stress())) {
       von_mises.values.push_back(s.von_mises);
       strain.values.push_back(s.strain);
       thickness.values.push_back(s.thickness);
@@ -58,7 +58,7 @@ struct Report {
 
   Json summary(const Row& last) const {
     const Wall& wall = closing.c.wall;
-    const auto states = triangle_states(wall, closing.motion.state);
+    const auto states = triangle_states(wall, closing.motion.state, closing.effects_on_stress());
     const auto most = [&](double TriangleState::*value) { return area_quantile(wall, states, value, 1); };
     double mass = 0, touched = 0, peak_pressure = 0;
     for (double m : wall.mass) mass += m;
@@ -68,7 +68,7 @@ struct Report {
     s["scheme"] = "explicit";
     s["thickness_mm"] = {*std::min_element(wall.thickness.begin(), wall.thickness.end()), *std::max_element(wall.thickness.begin(), wall.thickness.end())};
     s["clamp"] = {{"start_gap_mm", closing.jaws.start_gap()}, {"stop_gap_mm", closing.c.clamp.gap}, {"width_mm", closing.c.clamp.width}, {"length_mm", closing.c.clamp.length},
-                  {"friction", closing.c.clamp.friction}, {"drive", closing.c.clamp.pressure ? "pressure" : "motion"}};
+                  {"friction", closing.c.clamp.friction()}, {"drive", closing.c.clamp.pressure ? "pressure" : "motion"}};
     s["depth_mm"] = {{"asked", closing.jaws.start_gap() - closing.c.clamp.gap}, {"reached", closing.jaws.travel()}};
     s["peak_force_N"] = peak_force;
     s["last_force_N"] = last_force;

@@ -7,33 +7,10 @@
 #include <string>
 
 #include <palpate/errors.hpp>
+#include <solver/explicit/block_triangle.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
-
-/// Weights of the corners at the point of a triangle nearest to p (Ericson 2005, Real-Time Collision Detection, 5.1.5).
-std::array<double, 3> nearest(const Lanes& p, const Lanes& a, const Lanes& b, const Lanes& c) {
-  const Lanes ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = dot3(ab, ap), d2 = dot3(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const Lanes bp = p - b;
-  const double d3 = dot3(ab, bp), d4 = dot3(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const Lanes cp = p - c;
-  const double d5 = dot3(ab, cp), d6 = dot3(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / (d4 - d3 + d5 - d6);
-    return {0, 1 - w, w};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
 
 Lanes at(const std::vector<Lanes>& x, const std::array<int, 3>& t, const std::array<double, 3>& w) {
   return w[0] * x[t[0]] + w[1] * x[t[1]] + w[2] * x[t[2]];
@@ -100,11 +77,7 @@ bool pierces(const Lanes& p, const Lanes& q, const Lanes& a, const Lanes& b, con
 }  // namespace
 
 SelfContact::SelfContact(const Wall& wall) : wall_(wall) {
-  node_area_.assign(wall.rest.size(), 0);
-  for (const auto& t : wall.triangles) {
-    const double area = length3(cross3(wall.rest[t[1]] - wall.rest[t[0]], wall.rest[t[2]] - wall.rest[t[0]])) / 2;
-    for (int i : t) node_area_[i] += area / 3;
-  }
+  node_area_ = node_areas(wall);
   for (double t : wall.thickness) reach_ = std::max(reach_, t);
   skin_ = reach_ / 2;
 }

@@ -72,7 +72,7 @@ double stable_step(const Wall& wall, const WallState& state, int t) {
   }
   bending = Bk * (Matrix3d::Identity() / inertia + by_normal * by_normal.transpose() / mass) * Bk.transpose() * (thickness * thickness / 12);
   const Matrix3d R = root_of_stiffness(mu, nu);
-  const double volume = rest.area * rest.thickness * stiffer;
+  const double volume = rest.area * rest.thickness * stiffer * (wall.stiffening.empty() ? 1 : wall.stiffening[t]);
   const double most = std::max(largest_bound(R * membrane * R.transpose()), largest_bound(R * bending * R.transpose())) * volume;
   return 2 / std::sqrt(most);
 }

@@ -138,6 +138,13 @@ WallState rest_state(const Wall& wall) {
   return {wall.rest, std::vector<Lanes>(nodes, Lanes{}), wall.directors, std::vector<double>(edges, 0)};
 }
 
+std::vector<double> node_areas(const Wall& wall) {
+  std::vector<double> area(wall.rest.size(), 0);
+  for (int t = 0; t < wall.triangles.size(); ++t)
+    for (int i : wall.triangles[t]) area[i] += wall.packs[t / 4].rest.area[t % 4] / 3;
+  return area;
+}
+
 elements::ShellRest<double> lane(const elements::ShellRest<Lanes>& from, int l) {
   elements::ShellRest<double> r{};
   r.g1x = from.g1x[l], r.g1y = from.g1y[l], r.g2x = from.g2x[l], r.g2y = from.g2y[l];

@@ -46,6 +46,7 @@ struct Wall {
   double density = 1e-9;                          ///< tonne/mm³
   std::vector<double> mass_factor;                ///< of a triangle, by mass scaling
   double added_mass = 0;                          ///< tonne
+  std::vector<double> stiffening;                 ///< of a triangle: how many times stiffer than its law effects may make it; empty: not at all
 };
 
 /// Directors at rest: the mean normal of the triangles at an edge. Throws Failure(unreadable) for a triangle without area, an edge
@@ -59,6 +60,9 @@ struct WallState {
   std::vector<double> spin;           ///< rad/s about the edge
 };
 WallState rest_state(const Wall& wall);
+
+/// Of the triangles around each node a third, mm² at rest.
+std::vector<double> node_areas(const Wall& wall);
 
 elements::ShellRest<double> lane(const elements::ShellRest<Lanes>& rest, int lane);
 elements::ShellNow<double> now(const Wall& wall, const WallState& state, int triangle);

@@ -7,7 +7,7 @@
 
 namespace palpate::explicit_shell {
 
-std::vector<TriangleState> triangle_states(const Wall& wall, const WallState& state) {
+std::vector<TriangleState> triangle_states(const Wall& wall, const WallState& state, const TissueForces* tissue) {
   std::vector<TriangleState> all(wall.triangles.size());
   std::visit([&](const auto& law) {
     for (int t = 0; t < wall.triangles.size(); ++t) {
@@ -16,7 +16,11 @@ std::vector<TriangleState> triangle_states(const Wall& wall, const WallState& st
       TriangleState& out = all[t];
       for (int i = 0; i < elements::layers; ++i) {
         const auto C = elements::at_layer(strain, 0.5 * elements::layer_place[i] * rest.thickness);
-        const auto p = law(C);
+        auto p = law(C);
+        if (tissue) {
+          const auto more = tissue->correction(t, i, C);
+          p.S = {p.S.xx + more.xx, p.S.yy + more.yy, p.S.xy + more.xy};
+        }
         const double J = p.thickness * std::sqrt(C.xx * C.yy - C.xy * C.xy);
         const double trace = p.S.xx * C.xx + p.S.yy * C.yy + 2 * p.S.xy * C.xy;
         const double det = (p.S.xx * p.S.yy - p.S.xy * p.S.xy) * (C.xx * C.yy - C.xy * C.xy);
