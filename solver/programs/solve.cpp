@@ -32,7 +32,7 @@ void usage(Usage& u) {
       "Implicit, quasi-static, incompressible or nearly so: the P1+/P1 mini-element, Newton's method with the consistent tangent, load\n"
       "steps that are halved when they fail. Tools move along their axes from where they first touch the organ, after gravity if there is\n"
       "any; patches of the surface are held, moved, loaded or sprung; effects are added: on the stress, at the start, as layers, between organ and tool. scheme = \"explicit\":\n"
-      "a thin wall (palpate-mesh --kind shell) between two jaws, central differences, until the walls touch. `palpate list` shows laws,\n"
+      "a thin wall (palpate-mesh --kind shell) between two jaws, central differences, until the walls touch, with the same effects. `palpate list` shows laws,\n"
       "effects and tools with their parameters. A run that was killed goes on where the same command is given again, to the same bytes.";
   u.continues = true;
   u.input("case", "case.toml", "the case: mesh, [material], what holds, loads and presses, [steps]");

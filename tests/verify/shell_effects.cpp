@@ -163,7 +163,7 @@ struct Gripped {
     jaws.touch(wall, state, stiffness, 0, force);
     jaws.remember();
     Lanes sum{};
-    for (const Lanes& f : force) sum += f;
+    for (std::size_t i = 0; i < 81; ++i) sum += force[i];
     return sum;
   }
 };
