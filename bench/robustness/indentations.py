@@ -7,13 +7,14 @@ thickness under the tool: who reaches full depth, who stops and why, and whether
 
 BIN: the folder of the executables (palpate-surface, palpate-mesh, palpate-solve); FOLDER: meshes, cases and table.csv; NUMBERs from 0 to 59: only
 these. table.csv: number, organ, tool, law, nu, friction, exit code, seconds, iterations, cuts, worst force imbalance, worst penetration (of a face),
-peak force (N), nodes, message.
+peak force (N), nodes, message. cases.jsonl: the same, one object a case, written as each ends. A case may take 240 s of processor time, after which it
+is stopped and counts as not reached (exit code "time").
 """
 import json
 import pathlib
+import resource
 import subprocess
 import sys
-import time
 
 import organs
 
@@ -22,13 +23,16 @@ TOOLS = ["rod", "ball", "flat_punch", "rounded_punch", "box", "cylinder", "plane
 LAWS = ["hooke", "neo_hookean", "mooney_rivlin", "yeoh", "fung_demiray", "ogden", "hgo"]
 NUS = [0.3, 0.4, 0.45, 0.49, 0.5]
 FRICTIONS = [0, 0.3, 0.8]
+LIMIT_S = 240  # of processor time, a case
+COLUMNS = ["number", "organ", "tool", "law", "nu", "friction", "exit", "seconds", "iterations", "cuts", "worst_force_imbalance", "worst_penetration",
+           "peak_force_N", "nodes", "message"]
 
 
 def combination(number):
-    """Every pair of values comes together in some case; the strides share no factor with the lists' lengths."""
+    """Every pair of values comes together in some case (but two of a tool and a law)."""
     organ = list(organs.SHAPES)[number % 3]
     i = number // 3
-    return organ, TOOLS[(i + 2 * (number % 3)) % 7], LAWS[(3 * i + i // 7 + number) % 7], NUS[(2 * i + number) % 5], FRICTIONS[(i + i // 3 + number) % 3]
+    return organ, TOOLS[(i + 2 * (number % 3)) % 7], LAWS[(3 * i + i // 7 + number) % 7], NUS[(i + i // 3) % 5], FRICTIONS[(i + i // 3 + number) % 3]
 
 
 def material(law, nu):
@@ -49,8 +53,14 @@ def tool(kind, thickness):
     return f'kind = "{kind}"\n{size[kind]}\n'
 
 
-def run(command):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True)
+def run(command, limit_s=resource.RLIM_INFINITY):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit_s, limit_s)))
+
+
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def meshed(name, tools_folder, folder):
@@ -96,16 +106,16 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     reached = 0
     numbers = [int(n) for n in sys.argv[3:]] or range(60)
-    with open(folder / "table.csv", "a") as table:
+    with open(folder / "table.csv", "a") as table, open(folder / "cases.jsonl", "a") as log:
         for number in numbers:
             organ, kind, law, nu, friction = combination(number)
             mesh, low, high = meshed(organ, tools_folder, folder)
             case, result = folder / f"case_{number:02}.toml", folder / f"case_{number:02}"
             case.write_text(case_text(number, mesh, low, high))
-            begin = time.time()
-            done = run([tools_folder / "palpate-solve", case, result, "--force", "--quiet", "--threads", 1])
-            seconds = time.time() - begin
-            row = [number, organ, kind, law, nu, friction, done.returncode, f"{seconds:.0f}"]
+            begin = processor_seconds()
+            done = run([tools_folder / "palpate-solve", case, result, "--force", "--quiet", "--threads", 1], LIMIT_S)
+            seconds = processor_seconds() - begin
+            row = [number, organ, kind, law, nu, friction, "time" if done.returncode < 0 else done.returncode, f"{seconds:.0f}"]
             if done.returncode == 0:
                 facts = json.loads((result / "summary.json").read_text())
                 row += [facts["iterations"], facts["cuts"], f"{facts['worst_force_imbalance']:.1e}", f"{facts['worst_penetration_of_element_size']:.4f}",
@@ -114,8 +124,9 @@ def main():
             else:
                 row += ["", "", "", "", "", "", done.stderr.strip().replace("\n", " ").replace(",", ";")]
             line = ",".join(str(v) for v in row)
-            table.write(line + "\n")
-            table.flush()
+            for file, text in ((table, line), (log, json.dumps(dict(zip(COLUMNS, row))))):
+                file.write(text + "\n")
+                file.flush()
             print(line, flush=True)
     print(f"{reached} of {len(numbers)} reached full depth")
 

@@ -1,4 +1,4 @@
-// Organs of analytic implicit shapes: a bean-shaped kidney with a hilum, and a colon with wall, lumen and haustra.
+// Organs of analytic implicit shapes: a bean-shaped kidney, a colon with haustra, and a uterus with a tube and an ovary.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <string>
@@ -54,6 +54,20 @@ struct ColonShape {
 };
 std::string defect_of(const ColonShape& shape);
 Organ colon(const ColonShape& shape);
+
+/// In its own frame: fundus towards +z, cervix towards −z, thickness along y, tube and ovary at +x; the pear's middle at 0. The ovary hangs on
+/// the uterus by a ligament, which counts as uterus; the tube leaves the shoulder and arches over the ovary without touching it.
+struct UterusShape {
+  double length_mm = 75, width_mm = 48, thickness_mm = 36;
+  double cervix_mm = 26;         ///< width of the cervix
+  double tube_length_mm = 80;    ///< of its centre line; 0: no tube
+  double tube_mm = 7;            ///< diameter
+  double ovary_length_mm = 32, ovary_width_mm = 20, ovary_thickness_mm = 18;  ///< along x, z, y; length 0: no ovary
+  double gap_mm = 5;             ///< between tube and the ovary's top; at its flank it is down to 0.6 of it
+  double uterus = 800, tube = 1050, ovary = 1300;  ///< intensities
+};
+std::string defect_of(const UterusShape& shape);
+Organ uterus(const UterusShape& shape);
 
 /// The organ moved as a rigid body.
 Organ moved(const Organ& organ, const Affine& pose);

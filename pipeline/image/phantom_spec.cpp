@@ -77,6 +77,36 @@ Organ read_colon(const Settings& s) {
   return colon(c);
 }
 
+Organ read_uterus(const Settings& s) {
+  UterusShape u;
+  constexpr Range or_none{0, 1000};
+  u.length_mm = s.real("length_mm", u.length_mm, size_mm);
+  u.width_mm = s.real("width_mm", u.width_mm, size_mm);
+  u.thickness_mm = s.real("thickness_mm", u.thickness_mm, size_mm);
+  u.cervix_mm = s.real("cervix_mm", u.cervix_mm, size_mm);
+  u.tube_length_mm = s.real("tube_length_mm", u.tube_length_mm, or_none);
+  u.tube_mm = s.real("tube_mm", u.tube_mm, size_mm);
+  u.ovary_length_mm = s.real("ovary_length_mm", u.ovary_length_mm, or_none);
+  u.ovary_width_mm = s.real("ovary_width_mm", u.ovary_width_mm, size_mm);
+  u.ovary_thickness_mm = s.real("ovary_thickness_mm", u.ovary_thickness_mm, size_mm);
+  u.gap_mm = s.real("gap_mm", u.gap_mm, size_mm);
+  u.uterus = s.real("uterus", u.uterus, intensity);
+  u.tube = s.real("tube", u.tube, intensity);
+  u.ovary = s.real("ovary", u.ovary, intensity);
+  if (const auto defect = defect_of(u); !defect.empty()) misuse(defect, s.where(), "human: length 75, width 48, thickness 36, tube_length_mm 80");
+  return uterus(u);
+}
+
+/// The organ of the one table [kidney], [colon] or [uterus].
+Organ read_organ(const Settings& s) {
+  constexpr std::pair<const char*, Organ (*)(const Settings&)> readers[] = {{"kidney", read_kidney}, {"colon", read_colon}, {"uterus", read_uterus}};
+  int given = 0;
+  for (const auto& [name, read] : readers) given += s.has(name);
+  if (given != 1) misuse("one organ, please", s.where(), "one table of [kidney], [colon], [uterus]");
+  const auto& [name, read] = *std::find_if(std::begin(readers), std::end(readers), [&](const auto& reader) { return s.has(reader.first); });
+  return read(s.table(name));
+}
+
 /// Unit row and column directions of a plane, turned by `rotation_deg`; or as given.
 void read_orientation(const Settings& s, ScanSettings& scan) {
   const auto plane = s.has("plane") ? s.choice("plane", {"axial", "coronal", "sagittal"}) : "axial";
@@ -114,8 +144,7 @@ PhantomSpec read_phantom_spec(const std::filesystem::path& path) {
   if (s.text("schema") != "palpate-phantom/1") misuse("not a phantom: schema", s.where("schema"), "schema = \"palpate-phantom/1\"");
   PhantomSpec spec;
   spec.title = s.text("title", path.stem().string());
-  if (s.has("kidney") == s.has("colon")) misuse("one organ, please", s.where(), "either a table [kidney] or a table [colon]");
-  spec.organ = s.has("kidney") ? read_kidney(s.table("kidney")) : read_colon(s.table("colon"));
+  spec.organ = read_organ(s);
   if (s.has("pose")) {
     const Settings pose = s.table("pose");
     Affine patient_from_organ = rotation(pose.vec3("rotation_deg", Vec3{0, 0, 0}));

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include <pipeline/mesh/nearest_point.hpp>
 #include <pipeline/mesh/quality.hpp>
 
 namespace palpate {
@@ -85,6 +86,27 @@ void name_boundary(TetMesh& mesh, const Surface& surface) {
     mesh.face_region.push_back(shift + region);
     mesh.region_names[shift + region] = name_of(region) + "_surface";
   }
+}
+
+/// A way from within a body to another's outer surface crosses the body's own, so all bodies of one region can be asked together.
+void divide_by_nearest_triangle(TetMesh& mesh, const Surface& surface, const std::vector<Shell>& shells, const std::vector<Body>& bodies) {
+  std::map<int, Surface> outside;  // by the bodies' region
+  for (const Body& body : bodies) {
+    Surface& part = outside[body.region];
+    for (int t : shells[body.outer].triangles) {
+      part.triangles.push_back(surface.triangles[t]);
+      part.triangle_region.push_back(surface.triangle_region[t]);
+    }
+  }
+  std::map<int, SurfaceIndex> mixed;
+  for (auto& [region, part] : outside) {
+    const std::set<int> found(part.triangle_region.begin(), part.triangle_region.end());
+    part.points = surface.points;
+    if (found.size() > 1) mixed.emplace(region, SurfaceIndex(part));
+  }
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (const auto body = mixed.find(mesh.tet_region[t]); body != mixed.end())
+      mesh.tet_region[t] = body->second.surface().triangle_region[body->second.nearest(centroid(corners_of(mesh, t))).triangle];
 }
 
 MeshAudit audit(const TetMesh& mesh) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <palpate/mesh_files.hpp>
+#include <pipeline/mesh/components.hpp>
 
 namespace palpate {
 
@@ -14,6 +15,10 @@ std::vector<std::array<int, 3>> boundary_faces(const TetMesh& mesh);
 /// Lists the boundary as faces of the mesh. A face's region is that of its triangle in `surface` (whose points come first in the mesh),
 /// shifted by a power of ten above all tet regions (at least 100) and named "<name>_surface".
 void name_boundary(TetMesh& mesh, const Surface& surface);
+
+/// Where a body's outer surface carries several regions (organs that hang together), each of its tets takes the region of the triangle nearest to
+/// its centroid; all others keep their body's.
+void divide_by_nearest_triangle(TetMesh& mesh, const Surface& surface, const std::vector<Shell>& shells, const std::vector<Body>& bodies);
 
 struct MeshAudit {
   double volume_mm3 = 0;

@@ -24,7 +24,7 @@ void usage(Usage& u) {
   u.details =
       "Without --edge and --focus the surface's triangles stay as they are. Otherwise they are split, collapsed, flipped and smoothed along the "
       "surface to the wanted edge lengths first (Botsch & Kobbelt 2004). gmsh fills the surface (Delaunay), then the worst tetrahedra are "
-      "improved by smoothing, edge removal, swaps, contraction and splits (Freitag & Ollivier-Gooch 1997). The tetrahedra of each closed surface carry its region. A surface inside another that faces inward is a cavity; one of another region "
+      "improved by smoothing, edge removal, swaps, contraction and splits (Freitag & Ollivier-Gooch 1997). The tetrahedra of each closed surface carry its region; where its triangles have several (organs that hang together), that of the nearest triangle. A surface inside another that faces inward is a cavity; one of another region "
       "that faces outward is a body of its own inside the other. The boundary's triangles are stored as 2-D cells with regions "
       "\"<name>_surface\". Every check is made on the written file.\n"
       "--kind shell: the surface is a tube; regions \"end…\" are taken off, it is moved by --offset to the wall's mid-surface, cut at right angles to\n"
@@ -150,11 +150,13 @@ void run(Command& c) {
                               : given;
   progress.update(1, std::to_string(surface.triangles.size()) + " triangles");
   const auto shells = closed_shells(surface);
-  Filling filling = fill(surface, shells, bodies_of(surface, shells), sizes);
+  const auto bodies = bodies_of(surface, shells);
+  Filling filling = fill(surface, shells, bodies, sizes);
   progress.update(2, std::to_string(filling.mesh.tets.size()) + " tetrahedra");
   for (const auto& message : filling.messages)
     if (c.verbose()) c.say("gmsh: " + message);
   c.note("improved", to_json(improve(filling.mesh, static_cast<int>(surface.points.size()), SurfaceIndex(surface))));
+  divide_by_nearest_triangle(filling.mesh, surface, shells, bodies);
   name_boundary(filling.mesh, surface);
   progress.update(3);
   write_mesh(c.output("mesh"), filling.mesh);

@@ -12,9 +12,9 @@
 
 void usage(palpate::Usage& u) {
   u.name = "phantom";
-  u.sentence = "Makes a kidney or a colon from analytic implicit shapes, as a DICOM MR series with noise, and writes the exact truth.";
+  u.sentence = "Makes a kidney, a colon or a uterus with tube and ovary from analytic implicit shapes, as a DICOM MR series with noise, and writes the exact truth.";
   u.details =
-      "The spec is TOML with schema = \"palpate-phantom/1\", one table [kidney] or [colon], and optional tables [pose] (rotation_deg, "
+      "The spec is TOML with schema = \"palpate-phantom/1\", one table [kidney], [colon] or [uterus], and optional tables [pose] (rotation_deg, "
       "centre_mm) and [scan] (plane, rotation_deg or row_direction and column_direction, voxel_mm, slice_thickness_mm, margin_mm, "
       "background, noise, bias, supersampling). The truth folder holds labels.nii.gz (1: the organ), parts.nii.gz (tissues), "
       "surface.vtp (the exact boundary) and truth.json (volumes, area, box, seed, where a tool enters). UIDs follow from spec and seed.";

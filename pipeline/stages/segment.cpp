@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include <palpate/nifti.hpp>
 #include <palpate/text_file.hpp>
 #include <pipeline/image/cleaning.hpp>
 #include <pipeline/image/contact_sheet.hpp>
+#include <pipeline/image/dividing.hpp>
 #include <pipeline/image/label_facts.hpp>
 #include <pipeline/image/places.hpp>
 #include <pipeline/image/segmentation.hpp>
@@ -102,8 +104,46 @@ void expect_something(const Scan& smooth, const segmentation::Choice& choice, co
 
 Json statistics_json(const Statistics& s) { return {{"mean", s.mean}, {"sd", s.sd}, {"min", s.min}, {"max", s.max}}; }
 
+/// "uterus,tube,ovary" in pieces, one for each of --part-seeds.
+std::vector<std::string> part_names(const Command& c) {
+  std::vector<std::string> names;
+  std::istringstream list(c.has("part-names") ? c.text("part-names") : "");
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  if (names.size() != c.points("part-seeds").size())
+    throw Failure(ExitCode::misuse, std::to_string(c.points("part-seeds").size()) + " parts have a seed, " + std::to_string(names.size()) + " a name",
+                  "--part-seeds and --part-names", "--part-seeds x,y,z x,y,z --part-names uterus,tube");
+  return names;
+}
+
+/// The organ's voxels with the label value; or, with parts, the first part with it and the others with those that follow.
+Labels labelled(Command& c, const Scan& smooth, const Mask& mask) {
+  const auto first = static_cast<std::uint16_t>(c.integer("label"));
+  const auto names = part_names(c);
+  Labels labels{smooth.grid, {mask.voxels.begin(), mask.voxels.end()}};
+  Json label_names = {{std::to_string(first), c.text("label-name")}};
+  if (!names.empty()) {
+    const double reach_mm = optional_real(c, "neighbourhood-mm").value_or(3 * std::cbrt(smooth.grid.voxel_mm3()));
+    labels = divided(smooth, mask, voxels_at(smooth.grid, c.points("part-seeds")), reach_mm);
+    std::vector<std::size_t> counts(names.size() + 1, 0);
+    for (auto voxel : labels.voxels) ++counts[voxel];
+    label_names = Json::object();
+    Json volumes = Json::object();
+    std::size_t divided_voxels = 0;
+    for (std::size_t p = 0; p < names.size(); ++p) {
+      label_names[std::to_string(first + p)] = names[p];
+      volumes[names[p]] = counts[p + 1] * smooth.grid.voxel_mm3();
+      divided_voxels += counts[p + 1];
+    }
+    c.note("part_volumes_mm3", volumes);
+    c.check(check_equal("voxels that no part reaches", static_cast<double>(count_inside(mask) - divided_voxels), 0));
+  }
+  for (auto& voxel : labels.voxels)
+    if (voxel) voxel = static_cast<std::uint16_t>(voxel + first - 1);
+  c.note("label_names", label_names);
+  return labels;
+}
+
 void record(Command& c, const LabelFacts& facts, const Grid& grid) {
-  c.note("label_names", {{std::to_string(c.integer("label")), c.text("label-name")}});
   c.note("voxels", facts.voxels);
   c.note("voxel_spacing_mm", grid.spacing());
   c.note("volume_mm3", facts.volume_mm3);
@@ -140,7 +180,7 @@ void usage(Usage& u) {
   u.details =
       "The scan is smoothed, a method chooses voxels within the box, opening cuts thin bridges, islands are kept or dropped, "
       "closing and filling mend "
-      "gaps and holes. Without options: a calm Gaussian, Otsu's threshold, the largest piece. Look at the sheet before going on.";
+      "gaps and holes; what is found may be divided into parts by their intensities. Without options: a calm Gaussian, Otsu's threshold, the largest piece. Look at the sheet before going on.";
   u.input("scan", "scan.nii.gz", "the scan");
   u.output("labels", "labels.nii.gz", "labels on the scan's voxels: the organ has the label value, all else 0");
   u.side_output("sheet", "labels", ".sheet.png", "slices with the label's contour");
@@ -166,6 +206,8 @@ void usage(Usage& u) {
   u.choice("holes", "fill", {"fill", "keep"}, "what happens to holes the organ encloses");
   u.integer("label", 1, {1, 65535}, "value of the organ's voxels");
   u.text("label-name", "organ", "name of the organ");
+  u.points("part-seeds", "a point in each part of the organ whose intensity tells it from the others, patient LPS; the parts get labels of their own");
+  u.text("part-names", std::nullopt, "names of these parts, as in uterus,tube,ovary");
   u.catalogue = [] {
     std::vector<CatalogueEntry> entries;
     for (const auto& method : segmentation::all()) entries.push_back(method.about);
@@ -189,10 +231,7 @@ void run(Command& c) {
   const Mask mask = cleaned(choice.mask, cleaning_of(c, scan.grid, task.seeds), steps);
   expect_something(smooth, choice, steps);
 
-  Labels labels{scan.grid, {mask.voxels.begin(), mask.voxels.end()}};
-  const auto value = static_cast<std::uint16_t>(c.integer("label"));
-  for (auto& voxel : labels.voxels) voxel *= value;
-  write_labels(c.output("labels"), labels);
+  write_labels(c.output("labels"), labelled(c, smooth, mask));
 
   const LabelFacts facts = label_facts(scan, mask);
   const std::string how = method.about.name + ", intensity " + interval_text(choice.lower, choice.upper);

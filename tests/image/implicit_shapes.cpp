@@ -69,7 +69,7 @@ TEST(ImplicitShapes, IntegralIsTheSameForEveryNumberOfThreads) {
 
 TEST(ImplicitShapes, NeverChangeFasterThanDistance) {
   std::vector<Known> shapes = known_shapes();
-  const Organ organs[] = {kidney({}), colon({})};
+  const Organ organs[] = {kidney({}), colon({}), uterus({})};
   for (const Organ& organ : organs) {
     shapes.push_back({"organ", organ.shape, organ.box, 0});
     for (std::size_t p = 0; p < organ.parts.size(); ++p) shapes.push_back({"part", part_alone(organ, int(p)), organ.box, 0});
@@ -133,4 +133,50 @@ TEST(PhantomOrgans, ColonHasAWallOfItsThickness) {
   for (const auto& x : {Vec3{-45, 0, -40}, Vec3{-38, 0, 32}, Vec3{38, 4, 0}}) EXPECT_EQ(organ.parts[part_at(organ, x)].name, "lumen");
   const TriangleSoup lumen = contour(organ.parts[0].shape, organ.box, 2.5, 2);
   for (const Vec3& p : lumen.points) EXPECT_NEAR(organ.shape(p), -c.wall_mm, 1e-6);
+}
+
+TEST(PhantomOrgans, UterusIsAPearOfItsSizeWithATubeOverAnOvary) {
+  const UterusShape u;
+  EXPECT_EQ(defect_of(u), "");
+  UterusShape bare = u;
+  bare.tube_length_mm = bare.ovary_length_mm = 0;
+  const Organ pear = uterus(bare), all = uterus(u);
+  // The hull of two balls, flattened: its volume as in known_shapes, its box by its dimensions.
+  const double a = bare.width_mm / 2, b = bare.cervix_mm / 2, h = bare.length_mm - a - b, s = (a - b) / h, c2 = 1 - s * s;
+  const auto cap = [](double r, double height) { return pi * height * height * (3 * r - height) / 3; };
+  const double cone = pi * (h - a * s + b * s) * c2 * (a * a + a * b + b * b) / 3 + cap(a, a + a * s) + cap(b, b - b * s);
+  EXPECT_NEAR(integrate(pear.shape, pear.box, 7, 2).volume_mm3 / (cone * bare.thickness_mm / bare.width_mm), 1, 1e-3);
+  EXPECT_EQ(pear.parts.size(), 1u);
+  const TriangleSoup soup = contour(pear.shape, pear.box, 1, 2);
+  Vec3 high = soup.points[0];
+  for (const Vec3& p : soup.points)
+    for (int i = 0; i < 3; ++i) high[i] = std::max(high[i], p[i]);
+  EXPECT_NEAR(high[0], u.width_mm / 2, 0.1);
+  EXPECT_NEAR(high[1], u.thickness_mm / 2, 0.1);
+  EXPECT_NEAR(high[2], u.length_mm / 2, 0.1);
+  // Ovary: an ellipsoid, and 1.8 mm of its ligament (some 60 mm³). Tube: a circle along its length and a round end, but for its slanted root.
+  const double ellipsoid = pi / 6 * u.ovary_length_mm * u.ovary_width_mm * u.ovary_thickness_mm, r = u.tube_mm / 2;
+  const auto volume = [&](int part) { return integrate(part_alone(all, part), all.box, 8, 2).volume_mm3; };
+  ASSERT_EQ(all.parts.size(), 3u);
+  EXPECT_EQ(all.parts[0].name, "ovary");
+  EXPECT_NEAR((volume(0) - 60) / ellipsoid, 1, 5e-3);
+  EXPECT_EQ(all.parts[1].name, "tube");
+  EXPECT_NEAR(volume(1) / (pi * r * r * u.tube_length_mm + 2 * pi / 3 * r * r * r), 1, 0.03);
+  EXPECT_NEAR((volume(0) + volume(1) + volume(2)) / integrate(all.shape, all.box, 8, 2).volume_mm3, 1, 1e-3);
+  EXPECT_EQ(all.parts[2].name, "uterus");
+}
+
+TEST(PhantomOrgans, TubeAndOvaryDoNotTouch) {
+  const UterusShape u;
+  const Organ organ = uterus(u);
+  EXPECT_EQ(defect_of({.tube_length_mm = 30}).substr(0, 24), "the tube is too short to");
+  double gap = 1e9;  // from points of the ovary's ellipsoid to the tube, outside of both
+  const TriangleSoup egg = contour(offset(organ.parts[0].shape, -1), organ.box, 2, 2);  // the parts reach 1 mm further
+  for (const Vec3& p : egg.points) gap = std::min(gap, organ.parts[1].shape(p) + 1);
+  EXPECT_GE(gap, 0.6 * u.gap_mm);
+  const TriangleSoup soup = contour(organ.shape, organ.box, 1.5, 2);
+  std::set<std::pair<int, int>> edges;
+  for (const auto& t : soup.triangles)
+    for (int i = 0; i < 3; ++i) edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  EXPECT_EQ(soup.points.size() + soup.triangles.size() - edges.size(), 2u) << "Euler: one piece without a handle";
 }

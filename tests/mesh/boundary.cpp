@@ -14,7 +14,9 @@ TetMesh meshed(const Surface& surface) {
   SizeField sizes;
   sizes.edge = sizes.focus_edge = mean_edge(surface);
   const auto shells = closed_shells(surface);
-  TetMesh mesh = fill(surface, shells, bodies_of(surface, shells), sizes).mesh;
+  const auto bodies = bodies_of(surface, shells);
+  TetMesh mesh = fill(surface, shells, bodies, sizes).mesh;
+  divide_by_nearest_triangle(mesh, surface, shells, bodies);
   name_boundary(mesh, surface);
   return mesh;
 }
@@ -49,6 +51,31 @@ TEST(Boundary, BodyInsideAnotherSharesItsNodes) {
     if (mesh.tet_region[t] == 2) part.tets.push_back(mesh.tets[t]);
   stone = audit(part).volume_mm3;
   EXPECT_NEAR(stone, enclosed_volume(shapes::ball({1, 0, 0}, 5, 2)), 1e-9 * stone);
+}
+
+TEST(Boundary, OrgansThatHangTogetherAreDividedByTheNearestTriangle) {
+  Surface surface = ball;  // the left half is another organ
+  surface.region_names[7] = "left";
+  const auto centre_x = [&](std::size_t t) {
+    double x = 0;
+    for (int i : surface.triangles[t]) x += surface.points[i][0] / 3;
+    return x;
+  };
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) surface.triangle_region[t] = centre_x(t) < 0 ? 7 : 1;
+  const TetMesh mesh = meshed(surface);
+  EXPECT_EQ(faults(mesh), 0);
+  EXPECT_EQ(mesh.region_names.at(7), "left");
+  EXPECT_EQ(mesh.region_names.at(107), "left_surface");
+  TetMesh part = mesh;
+  part.tets.clear();
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    if (mesh.tet_region[t] != 7) continue;
+    part.tets.push_back(mesh.tets[t]);
+    Vec3 centre{};
+    for (int i : mesh.tets[t]) centre = centre + 0.25 * mesh.points[i];
+    EXPECT_LT(centre[0], 2.0) << "an edge";
+  }
+  EXPECT_NEAR(audit(part).volume_mm3, audit(mesh).volume_mm3 / 2, 0.05 * audit(mesh).volume_mm3);
 }
 
 TEST(Boundary, EachPlantedFaultIsSeen) {

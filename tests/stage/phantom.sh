@@ -45,7 +45,18 @@ noise = 0.02
 supersampling = 3
 TOML
 
-for spec in axial oblique colon; do
+cat >uterus.toml <<'TOML'
+schema = "palpate-phantom/1"
+[uterus]
+[pose]
+rotation_deg = [5, 0, 15]
+[scan]
+plane = "sagittal"
+voxel_mm = [2, 2, 2]
+supersampling = 3
+TOML
+
+for spec in axial oblique colon uterus; do
   "$bin/palpate-phantom" $spec.toml $spec.dicom $spec.truth --quiet
   for slice in $spec.dicom/*; do
     dciodvfy "$slice" >said 2>&1 || true
@@ -99,13 +110,16 @@ refused '[kidney]\n[colon]' 'one organ'
 refused '' 'one organ'
 refused '[colon]\ncentreline_mm = [[0,0,0],[50,0,0],[50,5,0],[0,5,0]]' 'meets itself'
 refused '[colon]\ncentreline_mm = [[0,0],[50,0,0]]' 'list of points'
+refused '[uterus]\ntube_length_mm = 30' 'too short to reach over the ovary'
+refused '[uterus]\novary_length_mm = 0' 'arches over an ovary'
+refused '[uterus]\n[colon]' 'one organ'
 refused '[kidney]\n[scan]\nvoxel_mm = [1, 0, 1]' voxel_mm
 refused '[kidney]\n[scan]\nvoxel_mm = [0.05, 0.05, 0.05]' 'too many voxels'
 refused '[kidney]\n[scan]\nrow_direction = [1, 1, 0]' 'right angles'
 refused '[kidney]\n[scan]\nplane = "axail"' axial
 
 # the specs of the studies at hand can be read (coarser, to be quick)
-for study in kidney_indentation lamb_kidney colon_phantom; do
+for study in kidney_indentation lamb_kidney colon_phantom uterine_palpation tubal_mobility; do
   sed 's/^voxel_mm.*/voxel_mm = [4, 4, 4]/' "$data/$study/phantom.toml" >study.toml
   "$bin/palpate-phantom" study.toml study.dicom study.truth --quiet --force
 done

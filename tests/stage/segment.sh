@@ -92,3 +92,32 @@ refused 4 "nothing left once opened" scan.nii.gz bad.nii.gz --opening-mm 40
 refused 4 "part of the scan" scan.nii.gz bad.nii.gz --threshold-lower 0
 refused 3 "" message bad.nii.gz
 refused 6 "have the intensity 0" truth/labels.nii.gz bad.nii.gz --smoothing none --box -31,-26,-45 --box -28,-23,-42
+
+# parts by their intensities: uterus, tube and ovary of one phantom, volumes as in its truth (thin parts of 7 and 18 mm: a voxel of rim is much)
+cat >uterus.toml <<'TOML'
+schema = "palpate-phantom/1"
+[uterus]
+[scan]
+plane = "coronal"
+margin_mm = 5
+bias = 0.05
+supersampling = 3
+TOML
+"$bin/palpate-phantom" uterus.toml uterus.dicom uterus.truth --quiet
+"$bin/palpate-import" uterus.dicom uterus.nii.gz --quiet
+parts=(--part-seeds 0,0,13.5 --part-seeds 48,0,27.3 --part-seeds 50,0,10.8)
+"$bin/palpate-segment" uterus.nii.gz parts.nii.gz "${parts[@]}" --part-names uterus,tube,ovary --label 2 --quiet
+"$bin/palpate-segment" uterus.nii.gz parts_again.nii.gz "${parts[@]}" --part-names uterus,tube,ovary --label 2 --quiet --threads 1
+cmp parts.nii.gz parts_again.nii.gz
+python3 - <<'PY'
+import json
+notes = json.load(open("parts.nii.gz.card.json"))["notes"]
+assert notes["label_names"] == {"2": "uterus", "3": "tube", "4": "ovary"}, notes["label_names"]
+truth = {p["name"]: p["volume_mm3"] for p in json.load(open("uterus.truth/truth.json"))["parts"]}
+for name, bound in (("uterus", 0.03), ("tube", 0.15), ("ovary", 0.15)):
+    error = notes["part_volumes_mm3"][name] / truth[name] - 1
+    print(f"{name}: {100 * error:+.1f} % of its volume")
+    assert abs(error) <= bound, name
+PY
+refused 2 'a name' uterus.nii.gz bad.nii.gz "${parts[@]}" --part-names uterus,tube
+refused 2 'outside the organ' uterus.nii.gz bad.nii.gz --part-seeds -28,0,-40 --part-names uterus
