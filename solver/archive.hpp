@@ -12,6 +12,10 @@
 
 namespace palpate {
 
+/// Stored as it is: numbers, and GCC's vectors of four of them.
+template <class T>
+constexpr bool is_plain = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, double __attribute__((vector_size(32)))>;
+
 class Archive {
  public:
   /// Writes.
@@ -41,7 +45,7 @@ class Archive {
 
   template <class T>
   void pass(T& value) {
-    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) raw(&value, sizeof value);
+    if constexpr (is_plain<T>) raw(&value, sizeof value);
     else if constexpr (requires { value.keep(*this); }) value.keep(*this);
     else keep(*this, value);
   }
@@ -52,7 +56,7 @@ class Archive {
   template <class T>
   void pass(std::vector<T>& list) {
     resize(list);
-    if constexpr (std::is_arithmetic_v<T>) raw(list.data(), list.size() * sizeof(T));
+    if constexpr (is_plain<T>) raw(list.data(), list.size() * sizeof(T));
     else for (auto& value : list) pass(value);
   }
   template <class T, std::size_t count>

@@ -14,6 +14,7 @@ constexpr int most_cycles_between_judgements = 200;  ///< of the stable step
 constexpr double moved_between_judgements = 0.1;       ///< of the shortest edge, by the fastest node
 constexpr double moved_in_a_step = 0.02;             ///< same; what is faster is cut into finer steps, for the energy's balance
 constexpr double contact_damping = 0.1;              ///< of critical, of a node on its penalty: a few steps are too few for an elastic bounce
+constexpr double most_drift = 0.1;             ///< of the largest internal energy: the run is not worth going on with
 constexpr double runaway_speed = 1e5;          ///< mm/s: several times the speed of sound in a soft wall
 constexpr double most_cycles = 2e7;             ///< hours, even of a small mesh
 constexpr int cycles_between_paces = 20;
@@ -118,38 +119,62 @@ void Closing::advance(double dt) {
   if (++cycles % cycles_between_paces == 0) keep_pace();
 }
 
-void Closing::run(const std::function<void(const Row&)>& row_done, const std::function<void(const Row&)>& frame_done) {
+/// What no later step mends: a mid-surface in a jaw or in another, energy from nowhere.
+void Closing::expect_sound(const Row& row) const {
+  const auto stop = [&](const std::string& what, int t, const std::string& next) {
+    std::ostringstream text;
+    text << what << ", after " << cycles << " cycles at gap " << row.gap << " mm";
+    throw Failure(ExitCode::not_converged, text.str(), place(c.wall, t), next);
+  };
+  const auto around = [&](int node) { return c.wall.node_slots.entries[c.wall.node_slots.start[node]] / 3; };
+  if (!std::isfinite(row.ledger.kinetic + row.ledger.internal)) stop("the wall is no longer finite", std::max(motion.stable().second, 0), "a smaller [steps] safety or speed_mm_s");
+  if (jaws.through() >= 0) stop("penetration: the wall's middle lies inside a jaw", around(jaws.through()), "a larger gap_mm (twice the wall is the least), a smaller speed_mm_s or pressure_MPa");
+  if (self.through() >= 0) stop("penetration: the wall passes through itself", around(self.through()), "a larger gap_mm (twice the wall is the least), a smaller speed_mm_s or pressure_MPa, or a finer mesh there");
+  if (!(std::abs(row.ledger.imbalance()) > most_drift * peak_internal) || !(jaws.travel() > 0.1 * (jaws.start_gap() - c.clamp.gap))) return;
+  const auto& energy = motion.slots().energy;
+  const auto most = std::max_element(energy.begin(), energy.begin() + static_cast<long>(c.wall.triangles.size())) - energy.begin();
+  std::ostringstream what;
+  what << "energy drifts: " << 100 * row.ledger.imbalance() / peak_internal << " % of the internal energy came from nowhere; the most of it is in this triangle";
+  stop(what.str(), static_cast<int>(most), "a smaller [steps] safety or speed_mm_s, or a finer mesh there");
+}
+
+void Closing::keep(Archive& a) {
+  a(motion, jaws, self, end, cycles, worst_imbalance, peak_internal, worst_kinetic, step_, stiffness_, first_stable_, clock_, pace_, judged_again_, rows_, frames_);
+  if (tissue) a(*tissue);
+  for (Bed& bed : c.beds) a(bed.memory);
+}
+
+void Closing::run(const std::function<void(const Row&)>& row_done, const std::function<void(const Row&)>& frame_done, const std::function<void()>& save) {
   Row row;
-  row.gap = jaws.gap();
-  judge();
-  contact();
-  row_done(row);
-  frame_done(row);
-  int rows = 0, frames = 0;
+  if (cycles == 0) {
+    row.gap = jaws.gap();
+    judge();
+    contact();
+    row_done(row);
+    frame_done(row);
+  }
   double since = 0;
-  while (rows < c.rows) {
+  while (rows_ < c.rows) {
     if (cycles >= judged_again_) judge();
     const double dt = step_;
     advance(dt);
     row.force += dt * jaws.force_on_wall();
     since += dt;
-    if (clock_ < end * (rows + 1) / c.rows) continue;
-    ++rows;
+    if (clock_ < end * (rows_ + 1) / c.rows) continue;
+    ++rows_;
     const Eigen::Vector3d mean = row.force / since;
     contact();
     row = {motion.time(), jaws.travel(), jaws.gap(), mean, mean.dot(c.clamp.axis), 0, self.area(), cycles, step_, motion.ledger()};
     for (int i : jaws.touched()) row.jaw_area += node_area_[i];
-    if (!std::isfinite(row.ledger.kinetic + row.ledger.internal)) {
-      const auto bad = motion.stable().second;
-      throw Failure(ExitCode::not_converged, "the wall is no longer finite after " + std::to_string(cycles) + " cycles", place(c.wall, std::max(bad, 0)), "a smaller [steps] safety or speed_mm_s");
-    }
     peak_internal = std::max(peak_internal, row.ledger.internal);
+    expect_sound(row);
     worst_imbalance = std::max(worst_imbalance, std::abs(row.ledger.imbalance()));
     row_done(row);
-    if (clock_ >= end * (frames + 1) / c.frames) {
-      ++frames;
+    if (clock_ >= end * (frames_ + 1) / c.frames) {
+      ++frames_;
       frame_done(row);
     }
+    if (save) save();
     row.force.setZero();
     since = 0;
   }

@@ -20,6 +20,7 @@ struct Row {
   long cycles = 0;
   double step = 0;           ///< s
   Ledger ledger;
+  void keep(Archive& archive) { archive(time, travel, gap, force, closing_force, jaw_area, self_area, cycles, step, ledger); }
 };
 
 struct Closing {
@@ -36,9 +37,12 @@ struct Closing {
   double peak_internal = 0;
   double worst_kinetic = 0;    ///< wall's kinetic over internal energy after a tenth of the closing
 
+  /// Everything the next step needs, at a row's end: run() then goes on from there.
+  void keep(Archive& archive);
+
   /// Runs to the end. `row` is called at even times of the jaws' clock, `frame` at even ones of its own and at the end. Throws Failure(not_converged)
   /// naming the triangle, where and why: the step collapsed, the wall is no longer finite, energy drifts.
-  void run(const std::function<void(const Row&)>& row, const std::function<void(const Row&)>& frame);
+  void run(const std::function<void(const Row&)>& row, const std::function<void(const Row&)>& frame, const std::function<void()>& save = {});
 
   /// Normal force of jaws and self-contact on each node over its area, MPa.
   std::vector<double> contact_pressure() const;
@@ -50,10 +54,12 @@ struct Closing {
   void keep_pace();
   void contact();
   void judge();
+  void expect_sound(const Row& row) const;
   double step_ = 0, stiffness_ = 0, first_stable_ = 0, shortest_edge_ = 0;
   double clock_ = 0, pace_ = 1;  ///< of the jaws: s, and how much slower than asked they go
   double beds_stiffness_ = 0;   ///< over mass, 1/s²
   long judged_again_ = 0;
+  int rows_ = 0, frames_ = 0;   ///< done; a run that is continued has some
   std::vector<double> node_area_;
 };
 

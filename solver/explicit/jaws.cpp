@@ -111,6 +111,7 @@ void Jaws::look(const Wall& wall, const WallState& state) {
 
 void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force) {
   touched_.clear();
+  through_ = -1;
   if (!(std::abs(travel_ - looked_at_) < margin_ / 4)) look(wall, state);
   for (int j : {0, 1}) {
     forces_[j].setZero();
@@ -129,6 +130,7 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, dou
       forces_[j] += f;
       if (!(depth > 0)) continue;
       deepest_ = std::max(deepest_, depth);
+      if (depth > wall.thickness[i] / 2) through_ = i;
       if (j == 0) touched_.push_back(i);
     }
     touch_between(j, wall, stiffness / 4, force);
@@ -200,6 +202,16 @@ double Jaws::take_work() {
   const double work = (force_before_ + closing_force()) / 2 * moved_;
   moved_ = 0;
   return work;
+}
+
+void Jaws::keep(Archive& a) {
+  for (int j : {0, 1}) {
+    a(jaws_[j].face, forces_[j]);
+    for (auto* slips : {&slips_[j], &slips_now_[j]})
+      for (auto& slip : *slips) a(slip.place, slip.shear);
+  }
+  a(touched_, travel_, velocity_, deepest_, moved_, force_before_);
+  looked_at_ = -1e30;
 }
 
 std::vector<Vector3d> Jaws::corners() const {

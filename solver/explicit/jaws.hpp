@@ -53,7 +53,10 @@ class Jaws {
   double closing_force() const { return forces_[0].dot(clamp_.axis); }
   const std::vector<int>& touched() const { return touched_; }         ///< nodes on the upper jaw at the last touch()
   double deepest() const { return deepest_; }                          ///< penetration of half a thickness at a node so far, mm
+  int through() const { return through_; }                             ///< a node whose mid-surface lay in a jaw at the last touch(), or −1
   bool stopped() const { return gap() <= clamp_.gap * (1 + 1e-9); }
+
+  void keep(Archive& archive);
 
   /// Corners of the two blocks for a picture: eight each, the upper first.
   std::vector<Eigen::Vector3d> corners() const;
@@ -82,6 +85,7 @@ class Jaws {
   std::vector<char> is_near_;
   std::vector<Lanes> local_;  ///< of nodes near the jaw that is being touched
   double margin_ = 0;         ///< how near that is: twice the longest edge, mm
+  int through_ = -1;
   double looked_at_ = -1e30;  ///< travel when they were found
   double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0, moved_ = 0, force_before_ = 0;
 };

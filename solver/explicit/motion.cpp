@@ -188,6 +188,11 @@ std::pair<double, int> Motion::stable() const {
   return smallest;
 }
 
+void Motion::keep(Archive& a) {
+  a(state.x, state.v, state.director, state.spin, outside.load, outside.contact, outside.moment, damping);
+  a(slots_.force, slots_.moment, slots_.energy, tangent_, work_, edge_work_, time_, dt_before_, tool_work_);
+}
+
 std::vector<Lanes> Motion::residual() const {
   auto r = gathered(wall_, slots_).force;
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = held(r[i] + outside.load[i] + outside.contact[i], holds_.hold[i], holds_.direction[i]);

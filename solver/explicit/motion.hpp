@@ -27,6 +27,7 @@ struct Ledger {
   double damping = 0;
   double external = 0;  ///< by loads and by tools
   double imbalance() const { return external - kinetic - internal - contact - damping; }
+  void keep(Archive& archive) { archive(kinetic, internal, contact, damping, external); }
 };
 
 /// Forces from outside at the present place: on nodes (N), on directors (N mm), and the power tools put in (N mm/s).
@@ -58,6 +59,8 @@ class Motion {
   double internal() const;  ///< N mm
   /// Smallest of all triangles' stable steps, and whose it is.
   std::pair<double, int> stable() const;
+  /// For a run that is continued: all that the next step needs.
+  void keep(Archive& archive);
   /// Forces of the wall and of what is outside on the nodes; what a rest would make zero away from holds.
   std::vector<Lanes> residual() const;
 
@@ -77,7 +80,7 @@ class Motion {
   std::vector<Lanes> tangent_;  ///< of the edges, unit
   std::vector<double> work_;    ///< per node: load, contact, damping
   std::vector<double> edge_work_;
-  double time_ = 0, dt_before_ = 0, load_work_ = 0, contact_work_ = 0, damping_work_ = 0, tool_work_ = 0;
+  double time_ = 0, dt_before_ = 0, tool_work_ = 0;
   struct Team;
   std::unique_ptr<Team> team_;
 };

@@ -19,9 +19,11 @@ struct Report {
   std::string history, frames;
   int frame_count = 0, crossing_pairs = 0;
   double peak_force = 0, last_force = 0;
+  Row last;
+  std::vector<std::string> files;  ///< frames written
 
   explicit Report(Closing& closing_, std::filesystem::path folder_) : closing(closing_), folder(std::move(folder_)) {
-    std::filesystem::create_directory(folder / "frames");
+    std::filesystem::create_directories(folder / "frames");
     history = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations,gap[mm],self_area[mm2],step[s],kinetic[mJ],internal[mJ],contact[mJ],damping[mJ],external[mJ]\n";
   }
 
@@ -34,7 +36,10 @@ struct Report {
     history += line.str() + "\n";
     peak_force = std::max(peak_force, r.closing_force);
     last_force = r.closing_force;
+    last = r;
   }
+
+  void keep(Archive& a) { a(closing, history, frames, frame_count, crossing_pairs, peak_force, last_force, last, files); }
 
   void write_frame(const Row& r) {
     const Wall& wall = closing.c.wall;
@@ -50,13 +55,14 @@ struct Report {
     std::ostringstream name;
     name << "frames/frame_" << std::setw(4) << std::setfill('0') << frame_count++ << ".vtu";
     write_shells(folder / name.str(), closing.c.mesh, {displacement, pressure}, {von_mises, strain, thickness});
+    files.push_back(name.str());
     std::ostringstream entry;
     entry << "    <DataSet timestep=\"" << r.time << "\" file=\"" << name.str() << "\"/>\n";
     frames += entry.str();
     crossing_pairs += crossings(wall, closing.motion.state.x);
   }
 
-  Json summary(const Row& last) const {
+  Json summary() const {
     const Wall& wall = closing.c.wall;
     const auto states = triangle_states(wall, closing.motion.state, closing.effects_on_stress());
     const auto most = [&](double TriangleState::*value) { return area_quantile(wall, states, value, 1); };
@@ -105,11 +111,11 @@ struct Report {
     write_surface(folder / "jaws.vtp", jaws);
   }
 
-  Json finish(const Row& last) {
+  Json finish() {
     write_text(folder / "history.csv", history);
     write_text(folder / "frames.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + frames + "  </Collection>\n</VTKFile>\n");
     write_jaws();
-    const Json facts = summary(last);
+    const Json facts = summary();
     write_text(folder / "summary.json", facts.dump(2) + "\n");
     return facts;
   }
@@ -127,25 +133,37 @@ void solve(Command& command) {
   if (!command.has("mesh")) command.add_input("mesh", c.mesh_path);
   Closing closing(c, command.threads());
   command.say(std::to_string(c.wall.rest.size()) + " nodes, " + std::to_string(c.wall.triangles.size()) + " triangles, jaws " + std::to_string(closing.jaws.start_gap()) + " mm apart");
-  Restart(command, command.output("result")).read();  // this scheme starts from the beginning
+  Restart restart(command, command.output("result"));
+  const auto left = restart.read();
   Report report(closing, command.output("result"));
+  if (left) {
+    Archive archive(*left);
+    report.keep(archive);
+    command.say("continues a run that was killed, at gap " + std::to_string(closing.jaws.gap()) + " mm");
+  }
   Progress progress = command.progress("solve", c.rows);
-  Row last;
   int rows = 0;
   try {
     closing.run([&](const Row& r) {
-      report.add(last = r);
+      report.add(r);
       std::ostringstream remark;
       remark << std::setprecision(3) << "gap " << r.gap << " mm, force " << r.closing_force << " N";
       progress.update(rows++, remark.str());
-    }, [&](const Row& r) { report.write_frame(r); });
+    }, [&](const Row& r) { report.write_frame(r); }, [&] {
+      restart.write([&] {
+        Archive archive;
+        report.keep(archive);
+        return archive.bytes();
+      }, report.files);
+    });
   } catch (const Failure& failure) {
     if (failure.code() != ExitCode::not_converged || !c.keep_partial) throw;
     command.warn(failure.what());
-    report.write_frame(last);
+    report.write_frame(report.last);
   }
   progress.finish();
-  const Json summary = report.finish(last);
+  restart.remove();
+  const Json summary = report.finish();
   command.note("summary", summary);
   command.check(check_at_most("energy balance of the largest internal energy", closing.worst_imbalance / closing.peak_internal, 0.01));
   command.check(check_at_most("added mass", c.wall.added_mass > 0 ? summary.at("added_mass_part").get<double>() : 0, 0.05));

@@ -12,6 +12,8 @@
 namespace palpate::explicit_shell {
 namespace {
 
+constexpr double nearly_all = 0.95;  ///< of the contact distance: mid-surfaces meet
+
 Lanes at(const std::vector<Lanes>& x, const std::array<int, 3>& t, const std::array<double, 3>& w) {
   return w[0] * x[t[0]] + w[1] * x[t[1]] + w[2] * x[t[2]];
 }
@@ -118,7 +120,7 @@ void SelfContact::touch(const WallState& state, const Penalty& penalty, std::vec
       moved = std::max(moved, dot3(d, d));
     }
   if (moved > skin_ * skin_ / 4) search(state);
-  active_ = 0, area_ = 0;
+  active_ = 0, area_ = 0, through_ = -1;
   for (std::size_t first = 0, last = 0; first < pairs_.size(); first = last) {
     Near near{};
     for (; last < pairs_.size() && pairs_[last].node == pairs_[first].node; ++last) consider(state, pairs_[last], near);
@@ -134,13 +136,14 @@ void SelfContact::consider(const WallState& state, const Pair& pair, Near& near)
   const Lanes apart = p - at(state.x, t, w);
   const double distance = length3(apart);
   const double wanted = (wall_.thickness[pair.node] + w[0] * wall_.thickness[t[0]] + w[1] * wall_.thickness[t[1]] + w[2] * wall_.thickness[t[2]]) / 2;
-  if (distance > 0 && wanted - distance > near.depth) near = {pair, w, apart / distance, wanted - distance};
+  if (distance > 0 && wanted - distance > near.depth) near = {pair, w, apart / distance, wanted - distance, wanted};
 }
 
 void SelfContact::push_apart(const WallState& state, const Near& near, const Penalty& penalty, std::vector<Lanes>& force) {
   if (!(near.depth > 0)) return;
   const auto& t = wall_.triangles[near.pair.triangle];
   const int node = near.pair.node;
+  if (near.depth > nearly_all * near.wanted) through_ = node;
   double softness = 1 / wall_.mass[node];
   for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall_.mass[t[k]];
   const Lanes v = state.v[node] - at(state.v, t, near.weights);

@@ -23,18 +23,22 @@ class SelfContact {
   bool touching() const { return active_ > 0; }
   double area() const { return area_; }         ///< of the nodes in contact at the last touch(), mm², at rest
   double deepest() const { return deepest_; }   ///< of the contact distance so far, mm
+  /// A node whose mid-surface all but met another triangle's at the last touch(), or −1.
+  int through() const { return through_; }
   long searches() const { return searches_; }
+  void keep(Archive& archive) { archive(searched_at_, pairs_, area_, deepest_, active_, searches_); }
 
  private:
   struct Pair {
     int node, triangle;
+    void keep(Archive& archive) { archive(node, triangle); }
   };
   /// How deep a node is in the wall around a triangle, and where.
   struct Near {
     Pair pair;
     std::array<double, 3> weights;
     Lanes normal;
-    double depth;  ///< mm
+    double depth, wanted;  ///< mm; and the distance at which it would be none
   };
   void search(const WallState& state);
   void consider(const WallState& state, const Pair& pair, Near& near) const;
@@ -45,7 +49,7 @@ class SelfContact {
   std::vector<Lanes> searched_at_;
   std::vector<Pair> pairs_;
   double skin_ = 0, reach_ = 0, area_ = 0, deepest_ = 0;
-  int active_ = 0;
+  int active_ = 0, through_ = -1;
   long searches_ = 0;
 };
 

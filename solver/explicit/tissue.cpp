@@ -11,8 +11,51 @@ using elements::layers;
 using materials::InPlane;
 using materials::Mat3;
 
-/// The same turned by `axes`: from the triangle's own to the patient's.
-Mat3 turned(const Mat3& axes, const Mat3& F) { return axes * F * axes.transpose(); }
+/// The wall's law as an effect sees it: P = F S of three dimensions, S = S_plane − ⅓ (S_plane : C) C⁻¹ without the pressure, det F = 1, F
+/// without shear through the thickness. No tangent: nobody asks for it here.
+materials::Response lifted(const ShellLaw& law, const Mat3& F, double modulus) {
+  const Mat3 C = F.transpose() * F;
+  materials::Response r;
+  std::visit([&](const auto& plane) {
+    const auto p = plane(InPlane<double>{C(0, 0), C(1, 1), C(0, 1)});
+    const double D = C(0, 0) * C(1, 1) - C(0, 1) * C(0, 1), third = (p.S.xx * C(0, 0) + p.S.yy * C(1, 1) + 2 * p.S.xy * C(0, 1)) / 3;
+    Mat3 S = Mat3::Zero();
+    S(0, 0) = p.S.xx - third * C(1, 1) / D, S(1, 1) = p.S.yy - third * C(0, 0) / D, S(2, 2) = -third * D;
+    S(0, 1) = S(1, 0) = p.S.xy + third * C(0, 1) / D;
+    r.W = modulus * p.W;
+    r.P = modulus * (F * S);
+  }, law);
+  return r;
+}
+
+/// The law with its first `count` effects, at a point.
+struct Chain {
+  const ShellLaw& law;
+  const elements::Material& material;
+  const effects::Point& point;
+  double* memory;
+  int count;
+
+  std::span<double> memory_of(int i) const { return {memory + material.effects[i].memory_at, static_cast<std::size_t>(material.effects[i].memory)}; }
+  materials::Response operator()(const Mat3& F) const {
+    if (count == 0) return lifted(law, F, point.modulus);
+    const auto& last = material.effects[count - 1];
+    const Chain within{law, material, point, memory, count - 1};
+    effects::Point here = point;
+    here.F = F;
+    return last.effect.stress.respond(within.inner(), here, memory_of(count - 1), last.parameters);
+  }
+  effects::Inner inner() const {
+    return {this, [](const void* chain, const Mat3& F) { return (*static_cast<const Chain*>(chain))(F); }};
+  }
+  /// From the outside in: an effect sees the inner ones with their old memory.
+  void remember() const {
+    for (int i = count - 1; i >= 0; --i) {
+      const Chain within{law, material, point, memory, i};
+      material.effects[i].effect.stress.remember(within.inner(), point, memory_of(i), material.effects[i].parameters);
+    }
+  }
+};
 
 double at_layer_mm(const elements::ShellRest<double>& rest, int i) { return 0.5 * elements::layer_place[i] * rest.thickness; }
 
@@ -49,13 +92,6 @@ std::vector<double> stiffening(const Tissue& tissue, const Wall& wall) {
 }
 
 TissueForces::TissueForces(const Tissue& tissue, const Wall& wall) : tissue_(tissue), wall_(wall) {
-  for (const auto& [i, j, k] : wall.triangles) {
-    const auto at = [&](int n) { return Eigen::Vector3d(wall.rest[n][0], wall.rest[n][1], wall.rest[n][2]); };
-    const Eigen::Vector3d x = (at(j) - at(i)).normalized(), n = (at(j) - at(i)).cross(at(k) - at(i)).normalized();
-    Axes axes;
-    axes.global << x, n.cross(x), n;
-    axes_.push_back(axes);
-  }
   memory_.assign(wall.triangles.size() * layers * tissue.material.memory(), 0);
   before_.assign(wall.triangles.size(), {});
   work_.assign(wall.triangles.size(), 0);
@@ -66,13 +102,12 @@ InPlane<double> TissueForces::changed(int t, const InPlane<double>& C, double* m
   const elements::Material& material = tissue_.material;
   const effects::Start start = tissue_.starts.empty() ? effects::Start{} : tissue_.starts[t];
   if (material.effects.empty() && tissue_.starts.empty()) return {0, 0, 0};
-  const Mat3 F = upper_root(C), &axes = axes_[t].global;
-  const effects::Point point{turned(axes, F), time, dt, material.law.kinematics, start.modulus};
-  materials::Response with = material.respond(point, memory);
+  const effects::Point point{upper_root(C), time, dt, material.law.kinematics, start.modulus};
+  const Chain chain{wall_.law, material, point, memory, static_cast<int>(material.effects.size())};
+  materials::Response with = chain(point.F);
   if (start.turgor != 0) elements::add_turgor(with, point.F, start.turgor, material.law.kinematics);
-  if (remember) material.remember(point, memory);
-  const Mat3 more = with.P - material.respond(point.F).P;
-  return plane_stress(F, axes.transpose() * more * axes);
+  if (remember) chain.remember();
+  return plane_stress(point.F, with.P - lifted(wall_.law, point.F, 1).P);
 }
 
 InPlane<double> TissueForces::correction(int t, int layer, const InPlane<double>& C) const {

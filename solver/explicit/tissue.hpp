@@ -19,7 +19,8 @@ struct WallLayer {
   std::vector<char> on;          ///< triangles
 };
 
-/// `material`: the wall's law in three dimensions, with the effects on the stress around it.
+/// `material`: the wall's law in three dimensions, with the effects on the stress around it. They work in the triangle's own axes, which is all
+/// the same to isotropic laws.
 struct Tissue {
   elements::Material material;
   std::vector<effects::Start> starts;  ///< of each triangle; empty: nothing is so from the start
@@ -46,18 +47,14 @@ class TissueForces {
 
   double tension_rise = 1;  ///< part of the layers that acts
 
-  void keep(Archive& archive) { archive(memory_, before_, work_, time_); }
+  void keep(Archive& archive) { archive(memory_, before_, work_, time_, tension_rise); }
 
  private:
-  struct Axes {
-    materials::Mat3 global;  ///< columns: the plane's x and y and its normal, at rest
-  };
   materials::InPlane<double> changed(int triangle, const materials::InPlane<double>& C, double* memory, double time, double dt, bool remember) const;
   elements::ShellStress<double> through_thickness(int triangle, const elements::ShellStrain<double>& s, double time, double dt);
 
   const Tissue& tissue_;
   const Wall& wall_;
-  std::vector<Axes> axes_;
   std::vector<double> memory_;  ///< per triangle and point of the thickness
   std::vector<std::array<double, 12>> before_;  ///< per triangle: N, M, a, K after the last step
   std::vector<double> work_;    ///< of what is added, per triangle, N mm

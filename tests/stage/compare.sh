@@ -1,29 +1,15 @@
 # palpate-compare: two clamped tubes and a copy of one side by side; numbers by other ways, series, another source's growths, the page, bad input.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
-bin=$1
+bin=$1 here=$(realpath "$(dirname "$0")")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-"$bin/palpate-idealize" tube.vtp --diameter 25 --length 60 --edge 1.5 --quiet
+source "$here/clamp_case.bash"
 mkdir -p study/solve
 for wall in 1 1.5; do
-  "$bin/palpate-mesh" tube.vtp $wall.vtu --kind shell --thickness $wall --quiet
-  cat > $wall.toml <<'TOML'
-schema = "palpate-case/1"
-scheme = "explicit"
-[material]
-law = "mooney_rivlin"
-C10 = 0.083
-C01 = 0.0565
-[clamp]
-centre_mm = [0, 0, 30]
-speed_mm_s = 400
-[steps]
-frames = 2
-rows = 20
-TOML
+  clamp_case "$wall" "$bin" "$wall"
   "$bin/palpate-solve" $wall.toml study/solve/tube-$wall --mesh $wall.vtu --quiet >/dev/null
 done
 cp -r study/solve/tube-1 copy
