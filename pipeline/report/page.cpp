@@ -8,6 +8,7 @@
 #include <palpate/card.hpp>
 #include <palpate/errors.hpp>
 #include <pipeline/report/facts.hpp>
+#include <pipeline/report/force_plots.hpp>
 #include <pipeline/report/html.hpp>
 #include <pipeline/report/shell.hpp>
 
@@ -125,28 +126,6 @@ std::string mesh_html(const Study& study, const Drawings& drawings) {
          notes_html(study, "palpate-mesh", "Mesh in numbers", {"quality"});
 }
 
-std::string force_plot(const Study& study) {
-  const ForceUnit unit = force_unit(study);
-  Json series = Json::array();
-  for (const Solve& solve : study.solves) {
-    const auto &depths = solve.history.column("depth[mm]"), &forces = solve.history.column("F[N]"),
-               &areas = solve.history.column("contact_area[mm2]");
-    Json points = Json::array();
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-      Json point = {depths[i], forces[i] * unit.per_newton};
-      if (!areas.empty()) point.push_back(areas[i]);
-      points.push_back(std::move(point));
-    }
-    series.push_back({{"name", solve.name}, {"points", std::move(points)}});
-  }
-  const Json plot = {{"kind", "lines"},
-                     {"x", "depth (mm)"},
-                     {"y", "force (" + unit.name + ")"},
-                     {"more", "contact area (mm²)"},
-                     {"series", series}};
-  return plot_figure("plot-force", plot, "Force over depth of every solve; the same numbers are in the table below", "plot");
-}
-
 std::string solves_table(const Study& study) {
   const ForceUnit unit = force_unit(study);
   std::string rows;
@@ -181,7 +160,7 @@ std::string force_html(const Study& study) {
   if (study.solves.empty()) return "";
   return "<p class=\"hint\">Force along the tool's axis, positive when the organ resists. Point at a curve for its "
          "values.</p>\n" +
-         force_plot(study) + solves_table(study);
+         force_plot(study) + motion_plot(study) + solves_table(study);
 }
 
 std::string pressed_html(const Drawings& drawings) {

@@ -39,6 +39,10 @@ if grep -q 'id="force"' short/report.html; then fail "forces without a solve"; f
 cp -r study changed && sed -i 's/^2,4,/2,4.5,/' changed/solve/neo_hookean/history.csv
 [ "$(report --skip-current --force changed changed/report.html)" != current ] || fail "a changed history is taken for current"
 grep -q '4 to 4.5 mm' changed/report.html || fail "the changed depth is not in the page"
+if grep -q 'id="plot-motion"' changed/report.html; then fail "forces over time though every tool goes deeper at each step"; fi
+cp -r study held && sed -i 's/^2,4,/2,3.8,/' held/solve/neo_hookean/history.csv
+report --force held held/report.html
+grep -q 'id="plot-motion"' held/report.html || fail "no forces over time though a tool is lifted"
 
 # --- bad input ---------------------------------------------------------------------------------------------------------------
 bad() { rm -rf bad && cp -r study bad; }
