@@ -14,6 +14,7 @@
 #include <pipeline/mesh/quality.hpp>
 #include <pipeline/mesh/shell_mesh.hpp>
 #include <pipeline/mesh/shell_quality.hpp>
+#include <pipeline/mesh/shell_thickness.hpp>
 #include <pipeline/mesh/size_field.hpp>
 
 using namespace palpate;
@@ -42,6 +43,11 @@ void usage(Usage& u) {
   u.real("offset", 0, "mm", {-100, 100}, "from the surface to the wall's mid-surface, outward: half the thickness for a lumen (shell)");
   u.real("cut-from", {}, "mm", {0, 1e5}, "where the tube begins, along its centre line; default: at its own end (shell)");
   u.real("cut-to", {}, "mm", {0, 1e5}, "where it ends; default: at its own end (shell)");
+  u.points("zone", "FROM,TO,FACTOR: between two places along the centre line the wall is so many times as thick; several are circular folds (shell)");
+  u.real("zone-edge", 2, "mm", {1e-3, 1e3}, "width over which a zone's thickness changes, half of it inside (shell)");
+  u.points("polyp", "X,Y,Z on the wall: the middle of a polyp, a bump of thickness (shell)");
+  u.real("polyp-radius", 5, "mm", {1e-3, 1e3}, "of the polyps (shell)");
+  u.real("polyp-height", 2, "mm", {-100, 100}, "thickness that is added in their middles (shell)");
   u.integer("max-tets", 20000000, {1, 1000000000}, "refuse, before meshing, when more tetrahedra than this are to be expected");
 }
 
@@ -129,6 +135,17 @@ void mesh_shell(Command& c) {
     area += norm(cross(moved.points[t[1]] - moved.points[t[0]], moved.points[t[2]] - moved.points[t[0]])) / 2;
   ShellMesh mesh = mesh_tube(moved, shell_sizes(c, line), c.real("thickness"));
   improve_shell(mesh, SurfaceIndex(moved), 10);
+  std::vector<ThicknessZone> zones;
+  for (const Vec3& z : c.points("zone")) {
+    if (!(z[1] > z[0] && z[2] > 0)) throw Failure(ExitCode::misuse, "--zone is FROM,TO,FACTOR: two places in mm, ascending, and a positive factor");
+    zones.push_back({z[0], z[1], z[2], c.real("zone-edge")});
+  }
+  std::vector<Polyp> polyps;
+  for (const Vec3& x : c.points("polyp")) polyps.push_back({x, c.real("polyp-radius"), c.real("polyp-height")});
+  vary_thickness(mesh, line, zones, polyps);
+  const auto [thinnest, thickest] = std::minmax_element(mesh.thickness_mm.begin(), mesh.thickness_mm.end());
+  if (!(*thinnest > 0)) throw Failure(ExitCode::misuse, "a polyp leaves no wall: " + std::to_string(*thinnest) + " mm", "", "--polyp-height above the wall's thickness, if negative");
+  c.note("thickness_mm", {*thinnest, *thickest});
   write_shells(c.output("mesh"), mesh);
   check_shell(c, read_shells(c.output("mesh")), area);
 }

@@ -62,15 +62,18 @@ Clamp read_clamp(const Settings& s, const ShellMesh& mesh) {
   return c;
 }
 
-/// Ends: "section" holds what is at right angles to the local centre line, "fixed" everything, "free" nothing. Rotations stay free.
+/// Ends: "section" holds what is at right angles to the local centre line, "fixed" everything, "free" nothing; rotations stay free. "slice" is cut out
+/// of a longer tube: nothing moves or turns out of the plane of the end.
 Holds read_ends(const Settings& s, const ShellMesh& mesh, const Wall& wall) {
   Holds holds = no_holds(wall);
-  const std::string kind = s.has("ends") ? s.choice("ends", {"section", "fixed", "free"}) : "section";
+  const std::string kind = s.has("ends") ? s.choice("ends", {"section", "fixed", "free", "slice"}) : "section";
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     if (mesh.end[i] == 0 || kind == "free") continue;
-    holds.hold[i] = kind == "fixed" ? Hold::fixed : Hold::along;
+    holds.hold[i] = kind == "fixed" ? Hold::fixed : kind == "slice" ? Hold::across : Hold::along;
     holds.direction[i] = lanes(mesh.end_direction[i]);
   }
+  if (kind == "slice")
+    for (std::size_t e = 0; e < wall.edges.size(); ++e) holds.edge_fixed[e] = mesh.end[wall.edges[e][0]] != 0 && mesh.end[wall.edges[e][0]] == mesh.end[wall.edges[e][1]];
   return holds;
 }
 

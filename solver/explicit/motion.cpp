@@ -119,16 +119,8 @@ void Motion::turn_edges(int from, int to, double dt, double dt_mid) {
     edge_work_[2 * e] += dt_mid * outside.moment[e] * (before + spin) / 2;
     edge_work_[2 * e + 1] += dt_mid * damping * wall_.inertia[e] * (before + spin) * (before + spin) / 4;
     state.spin[e] = spin;
-    const Lanes along = state.x[wall_.edges[e][1]] - state.x[wall_.edges[e][0]], t = along / length3(along);
-    const Lanes& t0 = tangent_[e];
-    Lanes d = state.director[e];
-    d -= dot3(d, t) / (1 + dot3(t0, t)) * (t0 + t);  // the smallest turn that takes t0 to t
-    const double angle = spin * dt, half = angle / 2 * (1 + angle * angle / 12);  // tan(angle/2), fifth order
-    d = (1 - half * half) * d + 2 * half * cross3(t, d);                         // times 1 + half²; made a unit again below
-    d -= dot3(d, t) * t;
-    state.director[e] = d / length3(d);
-    tangent_[e] = t;
   }
+  turn_directors(wall_, state, tangent_, dt, from, to);
 }
 
 void Motion::step(double dt) {

@@ -4,14 +4,26 @@
 
 namespace palpate::explicit_shell {
 
+namespace {
+
+bool has_avx2() {
+  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return has;
+}
+
+}  // namespace
+
 Slots make_slots(const Wall& wall) {
   const std::size_t triangles = 4 * wall.packs.size();
   return {std::vector<Lanes>(3 * triangles, Lanes{}), std::vector<double>(3 * triangles, 0), std::vector<double>(triangles, 0)};
 }
 
 void wall_forces(const Wall& wall, const WallState& state, int from, int to, Slots& slots) {
-  static const bool fast = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  (fast ? wall_forces_avx2 : wall_forces_plain)(wall, state, from, to, slots);
+  (has_avx2() ? wall_forces_avx2 : wall_forces_plain)(wall, state, from, to, slots);
+}
+
+void turn_directors(const Wall& wall, WallState& state, std::vector<Lanes>& tangent, double dt, int from, int to) {
+  (has_avx2() ? turn_directors_avx2 : turn_directors_plain)(wall, state, tangent, dt, from, to);
 }
 
 WallLoad gathered(const Wall& wall, const Slots& slots) {

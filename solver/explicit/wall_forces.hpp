@@ -20,6 +20,12 @@ void wall_forces(const Wall& wall, const WallState& state, int from, int to, Slo
 void wall_forces_plain(const Wall& wall, const WallState& state, int from, int to, Slots& slots);
 void wall_forces_avx2(const Wall& wall, const WallState& state, int from, int to, Slots& slots);
 
+/// Directors of edges `from` … `to` − 1, carried with their edges by the smallest turn from the old tangent to the new one, then turned about the new one
+/// by spin · dt; `tangent` is renewed.
+void turn_directors(const Wall& wall, WallState& state, std::vector<Lanes>& tangent, double dt, int from, int to);
+void turn_directors_plain(const Wall& wall, WallState& state, std::vector<Lanes>& tangent, double dt, int from, int to);
+void turn_directors_avx2(const Wall& wall, WallState& state, std::vector<Lanes>& tangent, double dt, int from, int to);
+
 /// The forces on all nodes (resisting: −dW/dx) and directors, and the energy.
 struct WallLoad {
   std::vector<Lanes> force;

@@ -8,4 +8,8 @@ void wall_forces_avx2(const Wall& wall, const WallState& state, int from, int to
   std::visit([&](const auto& law) { element_loop(wall, state, from, to, slots, law); }, wall.law);
 }
 
+void turn_directors_avx2(const Wall& wall, WallState& state, std::vector<Lanes>& tangent, double dt, int from, int to) {
+  edge_loop(wall, state, tangent, dt, from, to);
+}
+
 }  // namespace palpate::explicit_shell

@@ -8,4 +8,8 @@ void wall_forces_plain(const Wall& wall, const WallState& state, int from, int t
   std::visit([&](const auto& law) { element_loop(wall, state, from, to, slots, law); }, wall.law);
 }
 
+void turn_directors_plain(const Wall& wall, WallState& state, std::vector<Lanes>& tangent, double dt, int from, int to) {
+  edge_loop(wall, state, tangent, dt, from, to);
+}
+
 }  // namespace palpate::explicit_shell

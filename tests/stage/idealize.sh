@@ -35,4 +35,20 @@ got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu --kind shell --thickness 13 --qu
 if [ $got != 2 ] || ! grep -q "thicker than the tube's radius" message; then echo "a wall thicker than the radius: $got"; cat message; exit 1; fi
 got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu --kind shell --cut-to 500 --quiet 2>message || got=$?
 if [ $got != 2 ] || ! grep -q "beyond the centre line" message; then echo "a cut beyond the end: $got"; cat message; exit 1; fi
-echo "cylinder fitted, cut and meshed"
+
+# thickness by place: a zone along the centre line, three circular folds, a polyp on one side
+"$bin/palpate-mesh" cylinder.vtp zone.vtu $shell --zone 40,60,1.5
+"$bin/palpate-mesh" cylinder.vtp folds.vtu $shell --zone 42,45,2 --zone 49,52,2 --zone 56,59,2 --zone-edge 1
+"$bin/palpate-mesh" cylinder.vtp polyp.vtu $shell --polyp 0,11.8,50 --polyp-radius 5 --polyp-height 2
+python3 - <<'PY'
+import json
+for name, wanted in (("zone", 1.4 * 1.5), ("folds", 2.8), ("polyp", 3.4)):
+    low, high = json.load(open(name + ".vtu.card.json"))["notes"]["thickness_mm"]
+    if not (abs(low - 1.4) <= 1e-12 and wanted - 0.5 <= high <= wanted + 1e-12):  # no node need lie in a polyp's very middle
+        raise SystemExit(f"{name}: from {low} to {high} mm, not to {wanted} mm")
+PY
+got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu $shell --zone 60,40,2 2>message || got=$?
+if [ $got != 2 ] || ! grep -q "two places in mm, ascending" message; then echo "a zone the wrong way round is not told:"; cat message; exit 1; fi
+got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu $shell --polyp 50,0,50 2>message || got=$?
+if [ $got != 2 ] || ! grep -q "reaches no node" message; then echo "a polyp in the air is not told:"; cat message; exit 1; fi
+echo "cylinder fitted, cut, meshed and thickened"
