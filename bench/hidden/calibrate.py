@@ -83,8 +83,8 @@ def main():
 
 
 OUTSIDE = {"hum", "stick_slip", "puncture", "breathing"}
-AMPLITUDES = {"contact_offset": "delta0", "rig_compliance": "c", "support": "compliance", "drift": "d", "tare": "F0", "lag": "tau", "friction": "mu", "prony": "g", "rate": "m",
-              "mullins": "inverse_r", "permanent_set": "fraction", "compressibility": "half_minus_nu", "thickness": "excess", "tool_pose": "tilt"}
+AMPLITUDES = {"contact_offset": "delta0", "rig_compliance": "c", "drift": "d", "tare": "F0", "lag": "tau", "friction": "mu", "prony": "g", "rate": "m",
+              "mullins": "inverse_r", "permanent_set": "fraction", "compressibility": "half_minus_nu", "thickness": "excess", "tool_pose": "tilt", "adhesion": "work", "capsule": "Eh", "saturation": "limit"}
 
 
 def errors_of_parameters(rows):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Makes measured sets with a known effect in them, by another route than the loop's (physics.py).
 # SPDX-License-Identifier: GPL-3.0-or-later
-#   make.py [--protocol ramp|short|battery] [--effect NAME|A+B|none] [--size PERCENT] [--repeatability PERCENT] [--seed N] FOLDER
+#   make.py [--protocol ramp|short|middle|battery] [--effect NAME|A+B|none] [--size PERCENT] [--repeatability PERCENT] [--seed N] FOLDER
 # The answer is written only with --answers FILE; the set itself tells nothing.
 import argparse
 import csv
@@ -17,15 +17,19 @@ SENSOR = 0.0005  # N
 
 # Unit amplitude of each effect, before it is scaled to the asked change of the force.
 UNITS = {"contact_offset": 0.1, "rig_compliance": 0.2, "backlash": 0.1, "gain": 0.05, "tare": 0.02, "drift": 2e-4, "lag": 0.1, "friction": 0.1,
-         "adhesion": 0.02, "prony": 0.1, "rate": 0.01, "mullins": 0.1, "permanent_set": 0.05, "stiffening": 0.5, "prestress": 1e-3, "compressibility": 0.03,
+         "adhesion": 0.5, "prony": 0.1, "rate": 0.01, "mullins": 0.1, "permanent_set": 0.05, "stiffening": 0.5, "prestress": 1e-3, "compressibility": 0.03,
          "thickness": 0.1, "capsule": 0.01, "support": 1.0, "inclusion": 0.5, "tool_pose": 0.05, "hum": 0.02, "stick_slip": 0.05, "puncture": 0.1, "breathing": 0.05}
 
 
 def runs_of(protocol):
+    """Runs by name: one ramp; three runs of one kind; "middle": those, slow ones and a smaller ball, all at one site; the battery."""
     def run(identity, kind="short", radius=5.0, rate=1.0, depth=SCALE, point=(0, 0), group="", turn=0, role="fit"):
         return {"id": identity, "kind": kind, "radius": radius, "rate": rate, "depth": depth, "point": point, "group": group, "turn": turn, "role": role}
     first = "long" if protocol == "battery" else "short"
     runs = [run(f"r{i:02d}", first, group="g1") for i in ((1,) if protocol == "ramp" else (1, 2, 3))]
+    if protocol == "middle":
+        runs += [run("r04", rate=0.1, group="g2"), run("r05", rate=0.1, group="g2"), run("r06", radius=2.5, depth=0.6 * SCALE, group="g3"),
+                 run("r07", radius=2.5, depth=0.6 * SCALE, group="g3")]
     if protocol == "battery":
         runs += [run("r04", rate=0.1, group="g2"), run("r05", rate=0.1, group="g2"), run("r06", rate=10.0, group="g3"), run("r07", rate=10.0, group="g3"),
                  run("r08", radius=2.5, depth=0.6 * SCALE, group="g4"), run("r09", radius=2.5, depth=0.6 * SCALE, group="g4"), run("r10", point=(25, 0)),
@@ -37,10 +41,10 @@ def runs_of(protocol):
     return runs
 
 
-def sampled(run):
-    """Times and depths: 240 samples or so, ramps of a fast run with 20 samples each at least."""
+def step_of(run):
+    """Seconds between samples: 240 samples or so, ramps of a fast run with 20 samples each at least."""
     duration = path(run, 1.0)[0][-1]
-    return path(run, min(max(duration / 240, 0.02), run["depth"] / run["rate"] / 8 if run["rate"] < 5 else 0.05))
+    return min(max(duration / 240, 0.02), run["depth"] / run["rate"] / 8 if run["rate"] < 5 else 0.05)
 
 
 def block(knobs):
@@ -49,15 +53,16 @@ def block(knobs):
     return [0.1 * i for i in range(81)], [c * f for f in force], force
 
 
-def samples(run, knobs):
+def samples(run, knobs, steps=1):
+    """Times, depths, forces read; `steps` of time behind each sample."""
     if run["kind"] == "block":
         return block(knobs)
-    times, read = sampled(run)
-    return times, read, force_of(times, read, run, knobs)
+    times, read = path(run, step_of(run) / steps)
+    return times[::steps], read[::steps], force_of(times, read, run, knobs)[::steps]
 
 
-def noise(rng, times, force, repeatability):
-    """Gain and slow wandering from run to run (a random walk, a line or a bend, by chance), and a sensor with heavy tails."""
+def noise(rng, times, force, repeatability, limit):
+    """Gain and slow wandering from run to run (a random walk, a line or a bend, by chance), the cell's limit, and a sensor with heavy tails."""
     top, kind = max(max(map(abs, force)), 1e-3), rng.choice(("walk", "line", "bend"))
     wander, at = [], 0.0
     slope = rng.gauss(0, 0.2 * repeatability * top)
@@ -66,7 +71,7 @@ def noise(rng, times, force, repeatability):
         at += rng.gauss(0, 0.2 * repeatability * top / math.sqrt(len(times)))
         wander.append(at if kind == "walk" else slope * x if kind == "line" else slope * math.sin(math.pi * x))
     gain = rng.gauss(0, repeatability)
-    return [f * (1 + gain) + w + SENSOR * rng.gauss(0, 1) / math.sqrt(rng.gammavariate(4, 0.25)) for f, w in zip(force, wander)]
+    return [min(f * (1 + gain) + w, limit) + SENSOR * rng.gauss(0, 1) / math.sqrt(rng.gammavariate(4, 0.25)) for f, w in zip(force, wander)]
 
 
 def rms_change(runs, knobs, bases):
@@ -82,9 +87,10 @@ def rms_change(runs, knobs, bases):
     return 100 * math.sqrt(square / count) / top
 
 
-def knobs_for(protocol, effects, size):
+def knobs_for(protocol, effects, size, specimen_radius):
     runs = [r for r in runs_of(protocol) if r["role"] == "fit"]
-    base, knobs = {"scale": SCALE}, {"scale": SCALE}
+    base = {"scale": SCALE} | ({"narrow": specimen_radius} if specimen_radius < 80 else {})
+    knobs = dict(base)
     bases = [samples(run, base)[2] for run in runs] if effects else []
     for name in effects:
         if name == "saturation":
@@ -110,11 +116,11 @@ def knobs_for(protocol, effects, size):
 
 
 def write_run(folder, run, knobs, rng, repeatability):
-    times, read, force = samples(run, knobs)
+    times, read, force = samples(run, knobs, 8)
     if run["kind"] == "block":
         rows = [(t, u + rng.gauss(0, 1e-5), f + rng.gauss(0, SENSOR)) for t, u, f in zip(times, read, force)]
     else:
-        rows = list(zip(times, read, noise(rng, times, force, repeatability)))
+        rows = list(zip(times, read, noise(rng, times, force, repeatability, knobs.get("saturation", math.inf))))
     header = ["t[s]", "u[mm]", "F[N]"] + (["phase"] if run["kind"] in ("air", "block") else ["Fx[N]", "Fy[N]"])
     angle, aside = math.radians(run["turn"] + 35), [rng.gauss(0, 0.003) for _ in range(2)]  # the tool's tilt turns with it; each run sits a little askew
     with open(folder / f"{run['id']}.csv", "w", newline="") as file:
@@ -128,7 +134,8 @@ def write_run(folder, run, knobs, rng, repeatability):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--protocol", default="short", choices=["ramp", "short", "battery"])
+    parser.add_argument("--protocol", default="short", choices=["ramp", "short", "middle", "battery"])
+    parser.add_argument("--radius", type=float, default=80.0, help="of the specimen, mm: 80, or 30 or 20 with a protocol of one site")
     parser.add_argument("--effect", default="none")
     parser.add_argument("--size", type=float, default=5.0)
     parser.add_argument("--repeatability", type=float, default=1.0)
@@ -137,9 +144,9 @@ def main():
     a = parser.parse_args()
     rng = random.Random(a.seed)
     effects = [] if a.effect == "none" else a.effect.split("+")
-    knobs = knobs_for(a.protocol, effects, a.size)
+    knobs = knobs_for(a.protocol, effects, a.size, a.radius)
     a.folder.mkdir(parents=True)
-    text = (f'schema = "palpate-set/1"\n\n[specimen]\nid = "S{a.seed}"\nshape = "cylinder"\nradius_mm = 80.0\nheight_mm = {HEIGHT}\nbase = "bonded"\n'
+    text = (f'schema = "palpate-set/1"\n\n[specimen]\nid = "S{a.seed}"\nshape = "cylinder"\nradius_mm = {a.radius}\nheight_mm = {HEIGHT}\nbase = "bonded"\n'
             'law = "neo_hookean"\n\n[rig]\ncompliance_mm_per_N = "unknown"\n\n[tool.t5]\nkind = "ball"\nradius_mm = 5.0\n\n[tool.t2]\nkind = "ball"\nradius_mm = 2.5\n')
     for run in runs_of(a.protocol):
         write_run(a.folder, run, knobs, rng, a.repeatability / 100)
@@ -153,7 +160,7 @@ def main():
     if a.answers:
         with open(a.answers, "a") as file:
             file.write(json.dumps({"set": a.folder.name, "effects": effects, "size": a.size, "repeatability": a.repeatability, "protocol": a.protocol,
-                                   "seed": a.seed, "knobs": {k: v for k, v in knobs.items() if k != "scale"}}) + "\n")
+                                   "seed": a.seed, "knobs": {k: v for k, v in knobs.items() if k not in ("scale", "narrow")}}) + "\n")
 
 
 main()

@@ -61,6 +61,8 @@ def elastic(depth, run, knobs):
     for effect in ("thickness", "compressibility", "stiffening", "capsule", "support"):
         if knobs.get(effect):
             force *= changed_by(effect, knobs[effect], radius, depth)
+    if knobs.get("narrow"):  # a cylinder of that radius
+        force *= solved(depth, ("narrow", knobs["narrow"], radius)) / solved(depth, ("none", 0.0, radius))
     if knobs.get("inclusion") and run["point"] == (25, 0):
         force *= changed_by("inclusion", knobs["inclusion"], radius, depth)
     return force + knobs.get("prestress", 0) * 3 * depth
@@ -151,8 +153,31 @@ def given_way(depths, run, knobs):
     return true
 
 
+def sticking(depths, radius, work):
+    """Force beyond Hertz' on the way back, where the contact holds on until its edge's energy release reaches `work`, J/m^2 (Maugis and Barquins 1978; Johnson,
+    Kendall and Roberts 1971), on the way in none; half-space of E* = 0.04 MPa."""
+    stiffness, work, a, extra = 0.04, 1e-3 * work, 0.0, []
+    for d in depths:
+        a = max(a, math.sqrt(radius * d)) if d > 0 else a
+        neck = lambda a: a * a / radius - math.sqrt(2 * math.pi * a * work / stiffness)
+        if a > 0 and neck(a) > d:  # it shrinks: the larger root, above the pull-off's radius, where neck is smallest
+            low, high = (math.pi * work * radius**2 / (8 * stiffness)) ** (1 / 3), a
+            if neck(low) > d or low > a:
+                a = 0.0
+            else:
+                for _ in range(50):
+                    middle = 0.5 * (low + high)
+                    low, high = (middle, high) if neck(middle) < d else (low, middle)
+                a = low
+        with_neck = 4 / 3 * stiffness * a**3 / radius - 2 * stiffness * a * (a * a / radius - d)
+        extra.append(with_neck - 4 / 3 * stiffness * math.sqrt(radius) * max(d, 0.0) ** 1.5 if a > 0 else 0.0)
+    return extra
+
+
 def contact(times, depths, force, run, knobs):
-    """Friction with an arctangent slip law, a logarithmic rate, a sticky retract, and what no catalogue holds."""
+    """Friction with an arctangent slip law, a logarithmic rate, adhesion, and what no catalogue holds."""
+    if knobs.get("adhesion"):
+        force = [f + e for f, e in zip(force, sticking(depths, run["radius"], knobs["adhesion"]))]
     step, radius = times[1] - times[0], run["radius"]
     s, before, fresh = 0.0, 0.0, run["fresh"]
     for i, d in enumerate(depths):
@@ -162,8 +187,6 @@ def contact(times, depths, force, run, knobs):
         if knobs.get("rate") and i:
             v = (d - before) / step / knobs["scale"]
             force[i] *= 1 + knobs["rate"] * math.copysign(math.log1p(abs(v) / 0.01), v)
-        if knobs.get("adhesion") and i and d < before and max(depths[:i]) > 0.5 and -0.3 < d < 0.3:
-            force[i] -= knobs["adhesion"] * (1 - abs(d) / 0.3)
         before = d
         force[i] += knobs.get("hum", 0) * math.sin(2 * math.pi * 0.37 * times[i])
         force[i] *= 1 + knobs.get("stick_slip", 0) * ((d / 0.7) % 1 - 0.5)
@@ -182,7 +205,7 @@ def read_off(times, force, run, knobs):
         for f in force[1:]:
             y = late[-1]
             for k in range(10):  # sub-steps of Euler, where the loop is exact
-                y += step / 10 / max(knobs["lag"], step / 10) * (last + (f - last) * (k + 1) / 10 - y)
+                y += step / 10 / max(knobs["lag"], step / 10) * (last + (f - last) * (k + 0.5) / 10 - y)
             late.append(y)
             last = f
         force = late

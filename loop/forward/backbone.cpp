@@ -17,6 +17,12 @@ double law_over_neo_hookean(const Tissue& tissue, double y) {
   return nominal_stress(Test::uniaxial, stretch, *tissue.law, tissue.parameters, tissue.stiffening) / (mu * (stretch - 1 / (stretch * stretch)));
 }
 
+/// The same where finite strain counts: tissue that stiffens spreads the strain, which is smaller then.
+double law_over_neo_hookean_deep(const Tissue& tissue, double y) {
+  const double first = law_over_neo_hookean(tissue, y);
+  return first > 0 ? law_over_neo_hookean(tissue, y / std::max(1 + 0.34 * std::log(first), 0.5)) : first;
+}
+
 /// 2 c1, c1 = ∫ ½ w′² 2πr dr for w = Hertz' deflection in units of δ, r in units of a, out to ten contact radii: energy T c1 δ². (Johnson 1985, eq. 3.42)
 double tension_constant() {
   constexpr int steps = 4000;
@@ -31,10 +37,11 @@ double tension_constant() {
   return 2 * c1;
 }
 
-double skin_force(const Tissue& tissue, double R, double depth, double chi) {
+/// Force of tension and of a skin over a tissue that resists with `tissue_force`: a stiff skin spreads the load and is stretched less.
+double skin_force(const Tissue& tissue, double R, double depth, double chi, double tissue_force) {
   static const double tension = tension_constant();
-  const double x = depth / R;
-  return tension * tissue.tension_N_per_mm * depth + tissue.capsule_N_per_mm * depth * depth / R * (0.2 + 3.6 * std::sqrt(x) * chi);
+  const double skin = tissue.capsule_N_per_mm * depth * depth / R * (0.2 + 5.2 * std::sqrt(depth / R) * chi);
+  return tension * tissue.tension_N_per_mm * depth + skin / std::sqrt(1 + 8.8 * skin / tissue_force);
 }
 
 double inclusion_factor(const Site& site, const Tissue& tissue, double contact_mm) {
@@ -49,22 +56,28 @@ double inclusion_factor(const Site& site, const Tissue& tissue, double contact_m
 
 }  // namespace
 
-double representative_strain(bool deep, double x, double chi) { return deep ? 0.18 + 0.03 * x + 0.3 * std::sqrt(x) * chi : 0.2; }
+double representative_strain(bool deep, double x, double chi) { return deep ? 0.18 + 0.01 * x + 0.5 * std::sqrt(x) * chi : 0.2; }
 
 double neo_hookean_depth(double x, double chi) { return std::max(1 - 0.054 * std::sqrt(x) - 0.118 * x - 0.323 * x * chi, 0.2); }
+
+double compressible_depth(double nu, double x, double chi) {
+  const double n = 0.5 - nu;
+  return 1 + n * (1 - 1.26 * n) * (1.17 * std::sqrt(x) + 3.47 * x * chi);
+}
 
 double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   if (!(depth > 0)) return 0;
   const double R = site.tool.radius_mm, h = site.thickness_mm * tissue.thickness_factor;
   const double mu = tissue.law->shear_modulus(tissue.parameters), from_nu = 1 / (2 * (1 - tissue.nu));
   const bool flat = site.tool.kind == "flat_punch" || site.tool.kind == "flat";
-  const double a = flat ? R : std::sqrt(R * depth);
+  const double a = flat ? R : std::sqrt(R * depth), x = depth / R, chi = a / h;
   const double half_space = flat ? 8 * R * mu * depth : 16.0 / 3 * mu * a * depth;
   const bool deep = site.strains == Strains::finite && !flat && tissue.law->name != "hooke_linear";
-  double factor = layer_factor(flat, site.bonded, tissue.nu, a / h);
-  if (deep) factor *= neo_hookean_depth(depth / R, a / h) * (1 + (0.5 - tissue.nu) * (0.3 + 1.4 * depth / R));
-  return half_space * from_nu * factor * law_over_neo_hookean(tissue, flat ? depth / (5 * R) : a / R * representative_strain(deep, depth / R, a / h)) * inclusion_factor(site, tissue, a) +
-         skin_force(tissue, R, depth, a / h);
+  const double y = flat ? depth / (5 * R) : a / R * representative_strain(deep, x, chi);
+  double factor = layer_factor(flat, site.bonded, tissue.nu, chi) * (deep ? law_over_neo_hookean_deep(tissue, y) : law_over_neo_hookean(tissue, y));
+  if (deep) factor *= neo_hookean_depth(x, chi) * compressible_depth(tissue.nu, x, chi);
+  const double bare = half_space * from_nu * factor * inclusion_factor(site, tissue, a);
+  return bare + skin_force(tissue, R, depth, chi, bare);
 }
 
 }  // namespace palpate::loop

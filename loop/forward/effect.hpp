@@ -33,6 +33,10 @@ struct Effect {
   double (*compliance)(double e) = nullptr;
   /// Tissue, contact, geometry, support. Shapes are relative to the set: see Tissue.
   void (*tissue)(double e, std::span<const double> shape, Tissue& tissue) = nullptr;
+  /// Relative standard deviation of what this shortcut says for a given amplitude, by comparison with solved curves and other discretisations, or for want of one
+  /// our guess: intervals carry it, and a difference that it can make excludes no other explanation.
+  double accuracy = 0.01;
+  double difference = 0;       ///< relative step of differences, where small ones see stairs; 0: a thousandth of the typical amplitude
   bool needs_contact = false;  ///< homogeneous tests cannot show it
   bool needs_time = false;     ///< a set without times cannot show it
   bool needs_unload = false;   ///< nor one in which no run unloads

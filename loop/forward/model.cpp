@@ -50,12 +50,22 @@ double depth_of_force(double force, double deepest, const auto& elastic) {
   return low;
 }
 
-/// (1 + m sign(v) ln(1 + |v|/v0)), v over three samples.
+/// Speed at a sample: of the side on which it changes less, so that a turn of the tool between two samples spoils neither (Harten et al. 1987).
+double speed(const Run& run, const Path& depth, std::size_t i) {
+  const auto over = [&](std::size_t k) { return (depth[k] - depth[k - 1]) / (run.t[k] - run.t[k - 1]); };
+  const std::size_t last = depth.size() - 1;
+  if (last == 0) return 0;
+  if (i == 0) return over(1);
+  if (i == last) return over(last);
+  const double left = i >= 2 ? std::abs(over(i) - over(i - 1)) : 0, right = i + 2 <= last ? std::abs(over(i + 2) - over(i + 1)) : 0;
+  return left <= right ? over(i) : over(i + 1);
+}
+
+/// (1 + m sign(v) ln(1 + |v|/v0)).
 void add_rate(const Run& run, const Tissue& tissue, const Path& depth, double scale, Path& force) {
   if (tissue.rate == 0 || !run.timed) return;
   for (std::size_t i = 0; i < force.size(); ++i) {
-    const std::size_t low = i > 0 ? i - 1 : 0, high = std::min(i + 1, force.size() - 1);
-    const double v = (depth[high] - depth[low]) / (run.t[high] - run.t[low]) / scale;
+    const double v = speed(run, depth, i) / scale;
     const double surplus = std::log1p(std::abs(v) / tissue.rate_reference_per_s);
     force[i] *= 1 + tissue.rate * (v > 0 ? surplus : -surplus);
   }
@@ -172,7 +182,7 @@ double Forward::elastic(const Run& run, const Site& site, const Tissue& tissue, 
   return closed;
 }
 
-Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tissue, const Path& depth, double compliance) const {
+Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const {
   if (run.test != Test::indentation) {
     Row row({Spring{}}, tissue, scale_, false);
     Path stress(depth.size());
@@ -193,7 +203,9 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
   auto list = springs_of(depths, forces);
   add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
   Row row(std::move(list), tissue, scale_, true);
-  Path force = row_forces(run, row, depth, compliance + tissue.support_mm_per_N);
+  const double in_series = compliance + tissue.support_mm_per_N;
+  Path force = row_forces(run, row, depth, in_series);
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] -= in_series * force[i];
   add_friction(place, tissue, depth, force);
   return force;
 }
@@ -217,7 +229,7 @@ std::vector<double> Forward::force(std::size_t r, const Model& model) const {
   }
   Path force(depth.size(), 0.0);
   if (!run.is_air()) force = tissue_force(run, model, tissue, depth, compliance);
-  add_rate(run, tissue, run.u, run.test == Test::indentation ? scale_ : 1, force);
+  add_rate(run, tissue, depth, run.test == Test::indentation ? scale_ : 1, force);
   for (const Active& a : model.active)
     if (a.effect->force) a.effect->force(run, a.amplitude, a.shape, force);
   for (double& F : force) F *= 1 + model.gain;

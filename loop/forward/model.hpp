@@ -61,7 +61,8 @@ class Forward {
     std::array<double, 3> factor;
   };
   double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
-  Path tissue_force(const Run& run, const Model& model, const Tissue& tissue, const Path& depth, double compliance) const;
+  /// `depth` of the tool becomes that of the tissue, where something gives way in series.
+  Path tissue_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const;
   const Set* set_;
   Strains strains_ = Strains::finite;
   double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests

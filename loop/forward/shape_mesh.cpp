@@ -28,6 +28,20 @@ std::vector<double> graded(double low, double high, double middle, double fine) 
   return x;
 }
 
+/// Further steps on both sides, growing, until `half` each way.
+void widen(std::vector<double>& x, double half) {
+  if (x.back() >= half) return;
+  const double last = x[x.size() - 1] - x[x.size() - 2], room = half - x.back();
+  std::vector<double> out;
+  double reached = 0;
+  for (double step = 1.4 * last; reached < room; step *= 1.4) out.push_back(reached += step);
+  std::vector<double> all;
+  for (double o : out) all.insert(all.begin(), -half + room - o * room / reached);
+  all.insert(all.end(), x.begin(), x.end());
+  for (double o : out) all.push_back(half - room + o * room / reached);
+  x = std::move(all);
+}
+
 /// The unit square onto the unit disc (Fong 2015: x √(1 − y²/2), y √(1 − x²/2)).
 void onto_disc(double& x, double& y) {
   const double old = x;
@@ -58,10 +72,15 @@ void add_faces(TetMesh& mesh) {
 
 }  // namespace
 
-TetMesh shape_mesh(const Specimen& specimen, const Vec3& place, double fine) {
-  const Vec3 half = 0.5 * specimen.size_mm;
-  const auto x = graded(-half[0], half[0], std::clamp(place[0], -0.9 * half[0], 0.9 * half[0]), fine);
-  const auto y = graded(-half[1], half[1], std::clamp(place[1], -0.9 * half[1], 0.9 * half[1]), fine);
+TetMesh shape_mesh(const Specimen& specimen, const Vec3& place, double fine, double wide) {
+  Vec3 half = 0.5 * specimen.size_mm;
+  auto x = graded(-half[0], half[0], std::clamp(place[0], -0.9 * half[0], 0.9 * half[0]), fine);
+  auto y = graded(-half[1], half[1], std::clamp(place[1], -0.9 * half[1], 0.9 * half[1]), fine);
+  if (wide > 0) {
+    widen(x, std::abs(place[0]) + wide);
+    widen(y, std::abs(place[1]) + wide);
+    half = {x.back(), y.back(), half[2]};
+  }
   const auto z = graded(0, specimen.size_mm[2], specimen.size_mm[2], fine);
   TetMesh mesh;
   mesh.region_names = {{1, "specimen"}, {2, "base"}, {3, "outside"}};

@@ -13,6 +13,7 @@ Effect contact_offset() {
       if (run.test == Test::indentation && run.role == Role::fit && run.zero != "tool_start") return "";
     return "the tool's zero is unknown and fitted already";
   };
+  effect.accuracy = 0.005;
   effect.separates = "record the approach from well above the surface; press with a second radius";
   effect.needs_contact = true;
   effect.depth = [](const Run&, double e, std::span<const double>, Path& depth) {

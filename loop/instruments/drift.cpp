@@ -9,6 +9,7 @@ Effect drift() {
   effect.entry = {"instrument", "drift", "the zero of the force cell wanders steadily", "ISO 376:2011 (creep and drift of force cells)",
                   {{"d", "N/s", {-0.1, 0.1}, 0.0001, "force read without load, per second"},
                      {"clock", "1", {0, 1}, 0, "0: zeroed before each run, 1: once for the session"}}};
+  effect.accuracy = 0.005;
   effect.separates = "an air run as long as the others; repeat the first run last";
   effect.grid = {{0}, {1}};
   effect.refines = false;

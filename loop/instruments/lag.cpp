@@ -10,6 +10,7 @@ Effect lag() {
   effect.entry = {"instrument", "lag", "the force channel is late: filtered, or read after the displacement", "Oppenheim and Willsky 1997, Signals and Systems, §6.5 (first-order lag)",
                   {{"tau", "s", {0, 0.5}, 0.02, "time constant of the force channel"}}};
   effect.needs_hold = true;
+  effect.accuracy = 0.005;
   effect.separates = "press on a rigid block at two speeds (phase = block)";
   effect.needs_time = true;
   effect.force = [](const Run& run, double e, std::span<const double>, Path& force) {

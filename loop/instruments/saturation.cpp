@@ -10,6 +10,7 @@ Effect saturation() {
   effect.entry = {"instrument", "saturation", "the force cell cannot read more than a limit", "ISO 376:2011 (range of force cells)",
                   {{"limit", "N^-1", {0, 1e4}, 0.01, "one over the largest force that is read: 1/Fs"}}};
   effect.told_inverse = true;
+  effect.accuracy = 0.005;
   effect.separates = "a softer site, or a smaller tool";
   effect.probe_of = [](const Set& set) {  // well below the largest force read, where the null model, fitted to what was cut, still goes beyond it
     double largest = 1e-12;

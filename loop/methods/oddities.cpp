@@ -43,7 +43,7 @@ Oddity drop_of(const Session& s, std::size_t r, const std::vector<double>& left)
   Oddity worst{"sudden_drop", run.id};
   const auto ends = stretches(run);
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    const int width = ends[k + 1] - ends[k] < 20 ? 1 : 3, from = ends[k] + width + 1, to = ends[k + 1] - width;
+    const int width = ends[k + 1] - ends[k] < 20 ? 1 : 3, from = ends[k] + width + 1, to = ends[k + 1] - width - 1;  // the last sample may lie beyond the turn
     if (run.phase[ends[k]] != "load" || to - from < 6) continue;
     std::vector<double> change, away;
     for (int i = from; i < to; ++i) {

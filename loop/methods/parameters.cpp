@@ -10,6 +10,8 @@
 namespace palpate::loop {
 
 double FitParameter::coordinate() const { return logarithmic ? std::log(*value) : *value; }
+double FitParameter::sd(double variance) const { return std::hypot(std::sqrt(std::max(variance, 0.0)), accuracy * (logarithmic ? 1 : std::abs(*value))); }
+bool FitParameter::is_stopped(double gradient) const { return (gradient > 0 && *value >= high) || (gradient < 0 && *value <= low); }
 void FitParameter::set_coordinate(double x) { *value = std::clamp(logarithmic ? std::exp(std::clamp(x, -60.0, 60.0)) : x, low, high); }
 
 namespace {
@@ -18,20 +20,23 @@ void add_effect(Active& active, std::vector<FitParameter>& list) {
   const auto& entry = active.effect->entry;
   const Parameter& amplitude = entry.parameters[0];
   list.push_back({entry.name + "." + amplitude.name, amplitude.unit, &active.amplitude, amplitude.range.min, amplitude.range.max, false,
-                  1e-3 * amplitude.typical});
+                  std::max(1e-3 * amplitude.typical, active.effect->difference * std::abs(active.amplitude))});
+  list.back().accuracy = active.effect->accuracy;
   list.back().told_inverse = active.effect->told_inverse;
   if (!active.effect->refines) return;
   for (std::size_t i = 0; i < active.shape.size(); ++i) {
     const Parameter& p = entry.parameters[i + 1];
     list.push_back({entry.name + "." + p.name, p.unit, &active.shape[i], p.range.min, p.range.max, true, 1e-3});
+    list.back().accuracy = active.effect->accuracy;
   }
 }
 
-/// The elastic curve's own error: linear and quadratic in depth, in depth itself, and a factor for each tool after the first.
+/// The elastic curve's own error: linear and quadratic in depth, in depth itself, and a factor for each tool after the first; each within four
+/// of its standard deviations, beyond which it is not the curve's.
 void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
   for (int i : {0, 1, 2}) {
     const double sd = i < 2 ? thresholds::form_sd : thresholds::form_depth_sd;
-    list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -0.1, 0.1, false, 1e-4, 0, sd});
+    list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -4 * sd, 4 * sd, false, 1e-4, 0, sd});
   }
   std::string first;
   for (const Run& run : set.runs) {
@@ -39,7 +44,8 @@ void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
     if (first.empty()) first = run.tool;
     if (run.tool != first) model.tool_form.try_emplace(run.tool, 0.0);
   }
-  for (auto& [tool, factor] : model.tool_form) list.push_back({"form." + tool, "1", &factor, -0.2, 0.2, false, 1e-4, 0, thresholds::form_sd});
+  const double sd = thresholds::form_sd;
+  for (auto& [tool, factor] : model.tool_form) list.push_back({"form." + tool, "1", &factor, -4 * sd, 4 * sd, false, 1e-4, 0, sd});
 }
 
 }  // namespace
@@ -49,6 +55,7 @@ std::vector<FitParameter> fit_parameters(Model& model, const Set& set) {
   for (std::size_t i = 0; i < model.law->parameters.size(); ++i) {
     const Parameter& p = model.law->parameters[i];
     list.push_back({p.name, p.unit, &model.parameters[i], p.range.min, p.range.max, true, 1e-3});
+    list.back().accuracy = thresholds::form_sd;
   }
   if (std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.zero == "tool_start"; })) {
     double sd = 0;

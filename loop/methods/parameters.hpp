@@ -13,8 +13,13 @@ struct FitParameter {
   bool logarithmic = false;
   double step = 0;          ///< of differences, in the fit's own coordinate
   double prior = 0, prior_sd = 0;  ///< 0: no prior
+  double accuracy = 0;             ///< relative standard deviation that the model's own form adds to the fit's
   bool told_inverse = false;       ///< people are told 1/value
   double coordinate() const;
+  /// Standard deviation in the fit's coordinate, from noise and from the model's form.
+  double sd(double variance) const;
+  /// Whether a fit that wants to go further by `gradient` is stopped by a bound.
+  bool is_stopped(double gradient) const;
   void set_coordinate(double x);
 };
 

@@ -112,18 +112,38 @@ Stacked secant(const Problem& p, Model& model, const Effect& effect, double ampl
   return {(predicted(p, with) - predicted(p, model)) / amplitude, (rows - rows_with) / amplitude};
 }
 
-Fit fitted(const Problem& p, Model start) {
+namespace {
+
+/// The gradient without what a bound stops; N loses those rows and columns.
+VectorXd held(VectorXd g, const std::vector<FitParameter>& parameters, MatrixXd& N) {
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    if (!parameters[j].is_stopped(g(j))) continue;
+    const double own = N(j, j);
+    N.row(j).setZero();
+    N.col(j).setZero();
+    N(j, j) = own;
+    g(j) = 0;
+  }
+  return g;
+}
+
+}  // namespace
+
+Fit fitted(const Problem& p, Model start, const FitHelp& help) {
   Fit fit{std::move(start), 0, {}, false};
   VectorXd r = whitened(p, p.whiteners, residual(p, fit.model));
   fit.chi2 = r.squaredNorm();
   double damping = 1e-3;
   MatrixXd T, N;
-  bool fresh = false;  // tangents are kept while steps do what they promise
+  bool fresh = help.tangents;  // tangents are kept while steps do what they promise
+  if (fresh) T = *help.tangents;
   for (int iteration = 0; iteration < 25 && !fit.converged; ++iteration) {
     const bool kept = fresh;
     if (!kept) T = whitened(p, p.whiteners, tangents(p, fit.model));
     N = T.transpose() * T;
-    const VectorXd g = T.transpose() * r;
+    const VectorXd g = held(T.transpose() * r, fit_parameters(fit.model, p.forward->set()), N);
+    const MatrixXd some = N + 1e-9 * MatrixXd((N.diagonal().array() + 1e-12).matrix().asDiagonal());
+    if (!kept && fit.chi2 - 4 * g.dot(some.ldlt().solve(g)) > help.hopeless_above) break;
     for (int attempt = 0; attempt < 8; ++attempt) {
       MatrixXd damped = N;
       damped.diagonal() += damping * (N.diagonal().array() + 1e-12).matrix();

@@ -1,6 +1,8 @@
 // The fit: whitened residuals of chosen runs, Gauss–Newton with Levenberg's damping in bounded, partly logarithmic parameters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <limits>
+
 #include <loop/methods/noise.hpp>
 #include <loop/methods/parameters.hpp>
 
@@ -41,6 +43,12 @@ Stacked tangents(const Problem& problem, Model& model);
 Stacked secant(const Problem& problem, Model& model, const Effect& effect, double amplitude, const std::vector<double>& shape);
 /// L⁻¹ of the data above the rows.
 Eigen::MatrixXd whitened(const Problem& problem, const std::vector<Whitener>& whiteners, const Stacked& columns);
+/// What spares a fit work.
+struct FitHelp {
+  const Eigen::MatrixXd* tangents = nullptr;  ///< whitened, at the start; or nothing
+  double hopeless_above = std::numeric_limits<double>::infinity();  ///< given up where four times the fall that its tangents promise leaves chi2 above this
+};
+
 /// Levenberg 1944; Marquardt 1963, with steps cut at the bounds.
-Fit fitted(const Problem& problem, Model start);
+Fit fitted(const Problem& problem, Model start, const FitHelp& help = {});
 }  // namespace palpate::loop

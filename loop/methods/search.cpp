@@ -51,15 +51,24 @@ Linear linear(Session& s, Model& model, const std::vector<Candidate>& candidates
   l.whitened_S = whitened(s.problem, s.problem.whiteners, l.S);
   const VectorXd r = whitened(s.problem, s.problem.whiteners, residual(s.problem, model));
   l.chi2 = r.squaredNorm();
-  l.scores = score(whitened(s.problem, s.problem.whiteners, l.T), l.whitened_S, r, candidates, l.columns, lengths_of(s));
+  MatrixXd T = whitened(s.problem, s.problem.whiteners, l.T);
+  const auto parameters = fit_parameters(model, *s.set);
+  for (std::size_t j = 0; j < parameters.size(); ++j)  // what is stopped by a bound explains nothing more
+    if (parameters[j].is_stopped(T.col(j).dot(r))) {
+      T.col(j).setZero();
+      l.T.data.col(j).setZero();
+      l.T.rows.col(j).setZero();
+    }
+  l.scores = score(T, l.whitened_S, r, candidates, l.columns, lengths_of(s));
   return l;
 }
 
-Fit refit_with(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape, double amplitude) {
+/// A refit that cannot come below `hopeless` is given up early, but where the derivative at the start means little.
+Fit refit_with(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape, double amplitude, double hopeless) {
   const Range& range = c.effect->entry.parameters[0].range;
   Model with = model;
   with.active.push_back({c.effect, std::clamp(amplitude, range.min, range.max), shape});
-  return fitted(s.problem, with);
+  return fitted(s.problem, with, {nullptr, c.effect->probe_of ? std::numeric_limits<double>::infinity() : hopeless});
 }
 
 /// An amplitude at the edge of its plausible range says that another effect is meant.
@@ -74,17 +83,17 @@ Fit limit_refit(const Session& s, const Model& model, const Candidate& c, const 
   Model stiff = model;
   for (std::size_t i = 0; i < stiff.parameters.size(); ++i)
     if (stiff.law->parameters[i].unit == "MPa") stiff.parameters[i] *= 1.2;
-  return refit_with(s, stiff, c, shape, 0.87 * c.probe);
+  return refit_with(s, stiff, c, shape, 0.87 * c.probe, std::numeric_limits<double>::infinity());
 }
 
 /// Two starts: the score's amplitude, and the secant's for effects whose derivative at zero means little.
-Fit column_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column) {
+Fit column_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column, double hopeless) {
   const auto& shape = c.grid[l.columns[column].grid];
   const double e = l.scores.z[column] / l.scores.norm[column];
-  Fit fit = refit_with(s, model, c, shape, e);
+  Fit fit = refit_with(s, model, c, shape, e, hopeless);
   const double expected = l.scores.z[column] * l.scores.z[column];
   if (fit.chi2 <= l.chi2 - 0.8 * expected && !c.effect->probe_of) return fit;
-  Fit other = c.effect->told_inverse ? limit_refit(s, model, c, shape) : refit_with(s, model, c, shape, std::copysign(c.probe, e));
+  Fit other = c.effect->told_inverse ? limit_refit(s, model, c, shape) : refit_with(s, model, c, shape, std::copysign(c.probe, e), hopeless);
   return other.chi2 < fit.chi2 ? other : fit;
 }
 
@@ -134,8 +143,8 @@ bool made_up(const Session& s, const Model& before, const Model& after) {
 
 /// The best column's refit; where shapes are kinds that a fit cannot move (laws, places), the best of the five best columns, one within
 /// its plausible range before any at its edge.
-Fit best_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int best) {
-  Fit fit = column_refit(s, model, c, l, best);
+Fit best_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int best, double hopeless = std::numeric_limits<double>::infinity()) {
+  Fit fit = column_refit(s, model, c, l, best, hopeless);
   if (c.effect->refines) return fit;
   std::vector<int> others;
   for (int j = 0; j < static_cast<int>(l.columns.size()); ++j)
@@ -143,7 +152,7 @@ Fit best_refit(const Session& s, const Model& model, const Candidate& c, const L
   std::sort(others.begin(), others.end(), [&](int a, int b) { return std::abs(l.scores.z[a]) > std::abs(l.scores.z[b]); });
   others.resize(std::min<std::size_t>(others.size(), 4));
   for (int j : others) {
-    Fit other = column_refit(s, model, c, l, j);
+    Fit other = column_refit(s, model, c, l, j, hopeless);
     const bool worse = at_the_edge(fit) || made_up(s, model, fit.model), other_worse = at_the_edge(other) || made_up(s, model, other.model);
     if (std::pair(other_worse, other.chi2) < std::pair(worse, fit.chi2)) fit = std::move(other);
   }
@@ -254,7 +263,9 @@ double excess(const Session& s, double chi2) {
 /// The best candidate that passes threshold and relevance; −1: none. Writes the reasons. Of a first step that none passes, the best whose gain
 /// is found on runs left out but is no fifth of the excess: one of two effects that hide each other; the search must bear it out.
 int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
-  const double least = current.model.active.empty() ? 0 : thresholds::relevance * excess(s, current.chi2);
+  double form = 0;  // what the effects taken so far may leave because their shortcuts are not exact
+  for (const Active& a : current.model.active) form = std::max(form, std::pow(a.effect->accuracy, 2) * (s.null.chi2 - current.chi2));
+  const double least = current.model.active.empty() ? 0 : std::max(thresholds::relevance * excess(s, current.chi2), form);
   double before = std::numeric_limits<double>::quiet_NaN();
   int taken = -1, half = -1;
   for (int i = 0; i < static_cast<int>(tried.size()); ++i) {
@@ -374,13 +385,17 @@ void exchange(Session& s, Finding& f) {
     const Linear l = linear(s, base.model, f.candidates);
     const auto worth = worth_refitting(l, f.candidates, base.chi2 - f.final.chi2);
     std::vector<Fit> fits(worth.size());
+    const double now = f.final.chi2;
     for_each_index(static_cast<int>(worth.size()), s.threads, [&](int k) {
-      if (f.candidates[worth[k]].effect != own.effect) fits[k] = best_refit(s, base.model, f.candidates[worth[k]], l, l.scores.best[worth[k]]);
+      const Candidate& other = f.candidates[worth[k]];
+      const double form = std::pow(other.effect->accuracy, 2) * (base.chi2 - now);
+      if (other.effect != own.effect) fits[k] = best_refit(s, base.model, other, l, l.scores.best[worth[k]], now + 2 * thresholds::alternative + form);
     });
     for (std::size_t k = 0; k < worth.size(); ++k) {
       if (f.candidates[worth[k]].effect == own.effect) continue;
       Fit& fit = fits[k];
-      const double behind = 0.5 * (fit.chi2 - f.final.chi2);
+      const double form = 0.5 * std::pow(f.candidates[worth[k]].effect->accuracy, 2) * std::max(base.chi2 - fit.chi2, 0.0);
+      const double behind = std::max(0.5 * (fit.chi2 - f.final.chi2) - form, std::min(0.5 * (fit.chi2 - f.final.chi2), 0.0));
       if (behind > thresholds::alternative || at_the_edge(fit) || made_up(s, base.model, fit.model)) continue;
       auto names = names_of(fit.model);
       if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
@@ -447,7 +462,7 @@ Fit fit_with(Session& s, const std::string& effect) {
   throw Failure(ExitCode::misuse, "unknown effect: " + effect, "", "did you mean " + nearest_name(effect, names) + "?");
 }
 
-Finding search(Session& s, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark) {
+Finding search(Session& s, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark, int most_effects) {
   Finding f;
   f.candidates = candidates_of(*s.set);
   f.blind_spots = blind_spots(s, f.candidates);
@@ -465,7 +480,7 @@ Finding search(Session& s, int null_sets, std::uint64_t seed, const std::functio
       f.threshold_p = null.threshold_p;
       first = null;
     }
-    if (step == thresholds::most_effects) break;
+    if (step == most_effects) break;
     remark("step " + std::to_string(step + 1) + ": refits");
     f.steps.push_back(try_all(s, f.final, l, f.candidates, can_claim ? &null : nullptr));
     const int taken = chosen(s, f.final, l, f.steps.back(), null.threshold_p, can_claim);

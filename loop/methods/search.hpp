@@ -4,6 +4,7 @@
 #include <loop/methods/oddities.hpp>
 #include <loop/methods/score.hpp>
 #include <loop/methods/session.hpp>
+#include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
 
@@ -45,7 +46,8 @@ struct Finding {
 };
 
 /// `remark` is told what is going on.
-Finding search(Session& session, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark);
+Finding search(Session& session, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark,
+               int most_effects = thresholds::most_effects);
 
 /// The null with one effect of the catalogue fitted to it, at its best grid point. Throws Failure(misuse) for a name the catalogue does not have,
 /// Failure(refused) for an effect this set leaves out, with the reason.

@@ -3,6 +3,7 @@
 #include <loop/methods/searched.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <loop/methods/thresholds.hpp>
 
@@ -15,17 +16,13 @@ CurveTried tried_of(const Searched& s, Strains strains) {
   return tried;
 }
 
-Searched with(Strains strains, const Set& set, const std::function<void(Forward&)>& correct, int threads, int null_sets, std::uint64_t seed,
-              const std::function<void(const std::string&)>& remark) {
-  Searched s;
-  s.session = prepared(set, [&](Forward& forward) {
+Session session_of(Strains strains, const Set& set, const std::function<void(Forward&)>& correct, int threads) {
+  Session session = prepared(set, [&](Forward& forward) {
     forward.use(strains);
     if (correct) correct(forward);
   });
-  s.session.threads = threads;
-  s.finding = search(s.session, null_sets, seed, remark);
-  s.curves.push_back(tried_of(s, strains));
-  return s;
+  session.threads = threads;
+  return session;
 }
 
 /// What is unexplained counts as more effects than the search may take.
@@ -39,12 +36,22 @@ bool simpler(const CurveTried& a, const CurveTried& b) {
 
 Searched searched(const Set& set, const std::function<void(Forward&)>& correct, int threads, int null_sets, std::uint64_t seed,
                   const std::function<void(const std::string&)>& remark) {
-  Searched finite = with(Strains::finite, set, correct, threads, null_sets, seed, remark);
+  Searched finite{session_of(Strains::finite, set, correct, threads), {}, {}};
+  finite.finding = search(finite.session, null_sets, seed, remark);
+  finite.curves.push_back(tried_of(finite, Strains::finite));
   const bool pressed = std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.role == Role::fit && r.test == Test::indentation; });
   const VerdictKind kind = finite.finding.kind;
   if (!pressed || !set.specimen.case_file.empty() || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
   remark("the same with closed forms of small strain");
-  Searched small = with(Strains::small, set, {}, threads, null_sets, seed, remark);
+  Searched small{session_of(Strains::small, set, {}, threads), {}, {}};
+  const int most = effects_of(finite.curves.front()) - 1;
+  const double enough = kind == VerdictKind::unexplained ? std::numeric_limits<double>::infinity() : finite.finding.final.chi2 + 2 * thresholds::alternative;
+  if (most == 0 && small.session.null.chi2 > enough) {  // no effect is left out, and without one it explains less
+    finite.curves.push_back({Strains::small, {}, small.session.null.chi2, VerdictKind::unexplained});
+    return finite;
+  }
+  small.finding = search(small.session, null_sets, seed, remark, std::min(most, thresholds::most_effects));
+  small.curves.push_back(tried_of(small, Strains::small));
   const bool taken = simpler(small.curves.front(), finite.curves.front());
   Searched& best = taken ? small : finite;
   best.curves.push_back((taken ? finite : small).curves.front());

@@ -34,6 +34,7 @@ inline constexpr double prior_drift_sd = 0.002;   ///< slow, relative to the run
 inline constexpr double prior_lateral_sd = 0.005; ///< run-to-run, of lateral over axial force
 inline constexpr double form_sd = 0.005;          ///< of the elastic curve's own error, linear and quadratic in depth, and from tool to tool, relative
 inline constexpr double form_depth_sd = 0.002;    ///< of the same in depth, relative to the deepest point
+inline constexpr double wide_layer = 2.5;         ///< heights from a side, beyond which it is not felt
 
 /// All of them, by name.
 Json as_json();

@@ -97,9 +97,12 @@ Json parameters_json(const Session& s, const Fit& fit) {
   Model model = fit.model;
   Json list = Json::array();
   const auto parameters = fit_parameters(model, *s.set);
+  int blocks = 0;
+  for (std::size_t run : s.problem.runs) blocks += s.forward->blocks(run);
+  const double misfit = std::max(1.0, fit.chi2 / std::max(blocks, 1));  // Birge 1932, Phys. Rev. 40:207: what is not explained widens
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const FitParameter& p = parameters[i];
-    const double sd = std::sqrt(std::max(fit.covariance(i, i), 0.0)), x = p.coordinate();
+    const double sd = p.sd(misfit * fit.covariance(i, i)), x = p.coordinate();
     const auto value = [&](double at) { return p.logarithmic ? std::exp(std::clamp(at, -60.0, 60.0)) : at; };
     if (p.told_inverse && *p.value > 0) {  // a limit
       const double low = std::max(x - 1.96 * sd, 1e-12), high = x + 1.96 * sd;

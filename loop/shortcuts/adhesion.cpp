@@ -10,6 +10,8 @@ Effect adhesion() {
                   {{"work", "J/m^2", {0, 10}, 0.1, "work of adhesion"},
                      {"always", "1", {0, 1}, 0, "0: on retraction only, 1: on approach too"}}};
   effect.needs_unload = true;
+  effect.accuracy = 0.2;
+  effect.difference = 0.03;
   effect.separates = "retract past contact";
   effect.grid = {{0}, {1}};
   effect.refines = false;

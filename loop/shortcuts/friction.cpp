@@ -9,6 +9,7 @@ Effect friction() {
   effect.entry = {"traction", "friction", "the surface holds on to the tool: stiffer going in, softer coming out, at any rate", "Johnson 1985, Contact Mechanics, §5.4; the factor is the mean slope r/R under Hertz' pressure",
                   {{"mu", "1", {0, 1}, 0.1, "coefficient of friction"}}};
   effect.needs_unload = true;
+  effect.accuracy = 0.1;
   effect.separates = "lubricate, and repeat";
   effect.cost = 2;
   effect.needs_contact = true;

@@ -13,6 +13,7 @@ Effect inclusion() {
                      {"y", "mm", {-1e4, 1e4}, 0, "site above it"},
                      {"z", "mm", {-1e4, 1e4}, 0, "site above it"},
                      {"depth", "mm", {0.1, 100}, 10, "depth of its middle"}}};
+  effect.accuracy = 0.2;
   effect.separates = "scan neighbouring sites";
   effect.refines = false;
   effect.needs_contact = true;

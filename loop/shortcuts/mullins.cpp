@@ -10,6 +10,7 @@ Effect mullins() {
                   {{"inverse_r", "1", {0, 0.9}, 0.05, "1/r, the share of stress that can be lost"},
                      {"m", "1", {0.02, 3}, 0.3, "strain energy scale, relative to the deepest point"}}};
   effect.needs_unload = true;
+  effect.accuracy = 0.03;
   effect.separates = "cycles of growing depth, then rest and repeat";
   effect.grid = {{0.1}, {0.3}, {1}};
   effect.tissue = [](double e, std::span<const double> shape, Tissue& tissue) { tissue.mullins = e; tissue.mullins_scale = shape[0]; };

@@ -10,6 +10,7 @@ Effect permanent_set() {
                   {{"fraction", "1", {0, 0.9}, 0.03, "part of the strain beyond the yield that stays"},
                      {"yield", "1", {0, 0.9}, 0, "where it begins, relative to the deepest point"}}};
   effect.needs_unload = true;
+  effect.accuracy = 0.15;
   effect.separates = "rest long, then find contact again";
   effect.grid = {{0}, {0.4}};
   effect.refines = false;

@@ -8,6 +8,7 @@ Effect prestress() {
   Effect effect;
   effect.entry = {"start", "prestress", "the tissue is under tension before it is touched: a force in proportion to depth", "Johnson 1985, Contact Mechanics, eq. 3.42 (deflection); energy of tension over it",
                   {{"tension", "N/mm", {0, 10}, 0.001, "tension per length under the surface"}}};
+  effect.accuracy = 0.05;
   effect.separates = "change the perfusion pressure";
   effect.cost = 2;
   effect.needs_contact = true;

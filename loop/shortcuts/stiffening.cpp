@@ -10,6 +10,7 @@ Effect stiffening() {
                   {{"amplitude", "1", {-60, 60}, 0.05, "b; share of I2 in %; C20/mu; C30/mu; alpha − 2"},
                      {"law", "1", {0, 4}, 0, "0: fung_demiray, 1: mooney_rivlin, 2: yeoh C20, 3: yeoh C30, 4: ogden"}}};
   effect.repeats = true;
+  effect.accuracy = 0.05;
   effect.separates = "two radii at two depths; another test (tension, shear)";
   effect.grid = {{0}, {1}, {2}, {3}, {4}};
   effect.refines = false;

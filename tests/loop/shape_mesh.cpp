@@ -50,3 +50,15 @@ TEST(ShapeMesh, Cylinder) {
   cylinder.size_mm = {50, 50, 20};
   expect_sound(cylinder, M_PI * 25 * 25 * 20, 0.03);  // a polygon in a circle
 }
+
+TEST(ShapeMesh, WidenedKeepsWhatIsWithin) {
+  Specimen block;
+  block.shape = "block";
+  block.size_mm = {40, 30, 20};
+  const TetMesh own = shape_mesh(block, {6, -3, 20}, 2.0), wide = shape_mesh(block, {6, -3, 20}, 2.0, 50);
+  double far = 0;
+  for (const Vec3& p : wide.points) far = std::max(far, p[0]);
+  EXPECT_TRUE(std::abs(far - 56) <= 1e-9) << far;
+  for (const Vec3& p : own.points)
+    EXPECT_TRUE(std::any_of(wide.points.begin(), wide.points.end(), [&](const Vec3& q) { return norm(p - q) < 1e-9; })) << p[0] << " " << p[1] << " " << p[2];
+}
