@@ -71,7 +71,7 @@ Motion::Motion(const Wall& wall, Holds holds, int threads, TissueForces* tissue)
 
 Motion::~Motion() = default;
 
-void Motion::phase(int count, int grain, const std::function<void(int, int)>& work) {
+void Motion::phase(int count, int grain, const std::function<void(int, int)>& work) const {
   if (!team_ || count < 4 * grain) return work(0, count);
   const int threads = static_cast<int>(team_->threads.size()) + 1;
   team_->run([&](int t) {
@@ -175,8 +175,12 @@ double Motion::internal() const {
 
 std::pair<double, int> Motion::stable() const {
   std::pair<double, int> smallest{std::numeric_limits<double>::infinity(), -1};
-  for (int t = 0; t < wall_.triangles.size(); ++t)
-    if (const double dt = stable_step(wall_, state, t); !(dt >= smallest.first)) smallest = {dt, t};
+  std::vector<double> steps(wall_.triangles.size());
+  phase(static_cast<int>(steps.size()), 64, [&](int from, int to) {
+    for (int t = from; t < to; ++t) steps[t] = stable_step(wall_, state, t);
+  });
+  for (int t = 0; t < steps.size(); ++t)
+    if (!(steps[t] >= smallest.first)) smallest = {steps[t], t};
   return smallest;
 }
 

@@ -69,7 +69,7 @@ class Motion {
   double inner_moment(int edge) const;  ///< by its director's angle
   void move_nodes(int from, int to, double dt, double dt_mid);
   void turn_edges(int from, int to, double dt, double dt_mid);
-  void phase(int count, int grain, const std::function<void(int, int)>& work);
+  void phase(int count, int grain, const std::function<void(int, int)>& work) const;
 
   void find_forces(int from, int to, double dt);
 
