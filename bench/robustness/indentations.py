@@ -3,10 +3,10 @@
 """Sixty indentations, three organs × seven tools × seven laws × nu from 0.3 to exactly 1/2 × friction 0, 0.3, 0.8, to 40 % of the organ's
 thickness under the tool: who reaches full depth, who stops and why, and whether forces balance. Numbers kept, not asserted.
 
-    python3 bench/robustness/indentations.py BIN FOLDER [NUMBER ...]
+    python3 bench/robustness/indentations.py BIN FOLDER [remesh] [NUMBER ...]
 
 BIN: the folder of the executables (palpate-surface, palpate-mesh, palpate-solve); FOLDER: meshes, cases and table.csv; NUMBERs from 0 to 59: only
-these. table.csv: number, organ, tool, law, nu, friction, exit code, seconds, iterations, cuts, worst force imbalance, worst penetration (of a face),
+these; remesh: with [remesh] in the cases, up to 3 000 nodes. table.csv: number, organ, tool, law, nu, friction, exit code, seconds, iterations, cuts, worst force imbalance, worst penetration (of a face),
 peak force (N), nodes, message. cases.jsonl: the same, one object a case, written as each ends. A case may take 240 s of processor time, after which it
 is stopped and counts as not reached (exit code "time").
 """
@@ -79,7 +79,7 @@ def meshed(name, tools_folder, folder):
     return mesh, low, high
 
 
-def case_text(number, mesh, low, high):
+def case_text(number, mesh, low, high, remesh):
     organ, kind, law, nu, friction = combination(number)
     x, y, _, _ = organs.AIMS[organ]
     thickness = high - low
@@ -98,6 +98,8 @@ friction = {friction}
 [steps]
 count = 8
 frames = 1
+{"[remesh]" if remesh else ""}
+{"most_nodes = 3000" if remesh else ""}
 """
 
 
@@ -105,13 +107,15 @@ def main():
     tools_folder, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     reached = 0
-    numbers = [int(n) for n in sys.argv[3:]] or range(60)
+    words = sys.argv[3:]
+    remesh = "remesh" in words
+    numbers = [int(n) for n in words if n != "remesh"] or range(60)
     with open(folder / "table.csv", "a") as table, open(folder / "cases.jsonl", "a") as log:
         for number in numbers:
             organ, kind, law, nu, friction = combination(number)
             mesh, low, high = meshed(organ, tools_folder, folder)
             case, result = folder / f"case_{number:02}.toml", folder / f"case_{number:02}"
-            case.write_text(case_text(number, mesh, low, high))
+            case.write_text(case_text(number, mesh, low, high, remesh))
             begin = processor_seconds()
             done = run([tools_folder / "palpate-solve", case, result, "--force", "--quiet", "--threads", 1], LIMIT_S)
             seconds = processor_seconds() - begin

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/elements/mini_tetrahedron.hpp>
 
-#include <solver/elements/turgor.hpp>
+#include <solver/elements/sub_tetrahedra.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -48,48 +48,6 @@ Eigen::Matrix<double, 3, n> along_rows(const Eigen::Vector3d& g, const Eigen::Ma
 template <int m>
 Eigen::Matrix<double, m, 3> along_columns(const Eigen::Vector3d& g, const Eigen::Matrix<double, m, 9>& X) {
   return g(0) * X.template middleCols<3>(0) + g(1) * X.template middleCols<3>(3) + g(2) * X.template middleCols<3>(6);
-}
-
-struct SubTetrahedron {
-  Mat3 F;
-  double p = 0;
-};
-
-using SubTetrahedra = std::array<SubTetrahedron, 4>;
-
-effects::Start start_of(const ElementState& state, int sub) { return state.starts ? state.starts[sub] : effects::Start{}; }
-
-/// A sub-tetrahedron as the material sees it.
-Response respond(const Material& material, const Mat3& F, const ElementState& state, int sub) {
-  const auto& history = state.history;
-  const auto [modulus, turgor] = start_of(state, sub);
-  Response r = material.effects.empty()
-                   ? material.respond(F, modulus)
-                   : material.respond({F, history.time, history.dt, material.law.kinematics, modulus}, history.memory + sub * material.memory());
-  if (turgor != 0) add_turgor(r, F, turgor, material.law.kinematics);
-  return r;
-}
-
-/// Of all sub-tetrahedra: the pressure is the element's.
-double mean_modulus(const ElementState& state) {
-  double sum = 0;
-  for (int s = 0; s < 4; ++s) sum += start_of(state, s).modulus;
-  return sum / 4;
-}
-
-SubTetrahedra sub_tetrahedra(const Tetrahedron& rest, const ElementState& state) {
-  Mat3 F = Mat3::Identity();
-  Eigen::Vector4d p;
-  for (int a = 0; a < 4; ++a) {
-    F += state.nodal.segment<3>(4 * a) * rest.gradients.col(a).transpose();
-    p(a) = state.nodal(4 * a + 3);
-  }
-  SubTetrahedra subs;
-  for (int s = 0; s < 4; ++s) {
-    subs[s].F = F + 4 * state.bubble * rest.gradients.col(s).transpose();
-    for (int a = 0; a < 4; ++a) subs[s].p += mean_weight(a, s) * p(a);
-  }
-  return subs;
 }
 
 /// A bubble's trial, with what its equation needs summed over the sub-tetrahedra. Suffixes: u 12 displacements, b bubble, p 4
@@ -297,28 +255,6 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
     }
   system.internal_force = quarter * trial.stress_size * rest.gradients.norm();
   return system;
-}
-
-ElementResult mini_element_result(const Tetrahedron& rest, const Material& material, const ElementState& state) {
-  ElementResult result;
-  const SubTetrahedra subs = sub_tetrahedra(rest, state);
-  for (int s = 0; s < 4; ++s) {
-    const Mat3& F = subs[s].F;
-    const bool small = material.law.kinematics == Kinematics::small;
-    const double J = small ? F.trace() - 2 : F.determinant();
-    const Mat3 P = respond(material, F, state, s).P;
-    const Mat3 sigma = small ? P : Mat3(P * F.transpose() / J);
-    const Mat3 deviator = sigma - sigma.trace() / 3 * Mat3::Identity();
-    result.von_mises += 0.25 * std::sqrt(1.5) * deviator.norm();
-    result.J += 0.25 * J;
-  }
-  return result;
-}
-
-void remember(const Tetrahedron& rest, const Material& material, const ElementState& state, double* memory) {
-  const SubTetrahedra subs = sub_tetrahedra(rest, state);
-  for (int s = 0; s < 4; ++s)
-    material.remember({subs[s].F, state.history.time, state.history.dt, material.law.kinematics, start_of(state, s).modulus}, memory + s * material.memory());
 }
 
 CatalogueEntry mini_tetrahedron_entry() {

@@ -9,7 +9,8 @@ namespace palpate::implicit {
 
 namespace {
 
-/// A smaller step is cheaper than drag; where this many do not help, the organ is about to jump. Once between two reports: drag is dear.
+/// A smaller step is cheaper than drag; where this many do not help, the organ is about to jump. Between two reports once there, and once more
+/// where nothing else is left, nearer to the trouble: drag is dear.
 constexpr int cuts_before_drag = 3;
 
 }  // namespace
@@ -29,8 +30,10 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
     while (state.time < target) {
       const bool to_target = state.time + 1.001 * part * whole >= target;
       const double next = to_target ? target : state.time + part * whole;
+      const double halved = std::min(part, (target - state.time) / whole) / 2;
+      const bool last_chance = halved < std::pow(2.0, -plan.most_cuts);
       auto found = equilibrium.find(state, next);
-      if (!found && cuts == std::min(cuts_before_drag, plan.most_cuts)) {
+      if (!found && (cuts == std::min(cuts_before_drag, plan.most_cuts) || last_chance)) {
         found = equilibrium.find_by_drag(state, next);
         drags += found.has_value();
       }
@@ -41,10 +44,10 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
         easy = last.iterations <= 10 ? easy + 1 : 0;
         if (easy >= 2) part = std::min(1.0, 2 * part);
       } else {
-        part = std::min(part, (target - state.time) / whole) / 2;
+        part = halved;
         ++cuts;
         easy = 0;
-        if (part < std::pow(2.0, -plan.most_cuts)) return state.time;
+        if (last_chance) return state.time;
       }
     }
     done = index;

@@ -7,7 +7,7 @@ bin=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-PYTHONDONTWRITEBYTECODE=1 python3 bench/robustness/indentations.py "$bin" "$folder" 1 12 16 23 31 43
+PYTHONDONTWRITEBYTECODE=1 python3 bench/robustness/indentations.py "$bin" "$folder" 1 12 31 40 41 56
 python3 - "$folder/table.csv" <<'PY'
 import csv, sys
 rows = list(csv.reader(open(sys.argv[1])))

@@ -14,6 +14,14 @@ const std::string base = R"(
 [base]
 plane = { point_mm = [0.0, 0.0, 0.01], normal = [0.0, 0.0, 1.0] }
 )";
+const std::string soft = "[material]\nlaw = \"neo_hookean\"\nmu = 0.0067\n";
+/// A ball that comes aslant, so that it slides; the caller says how rough it is and where it goes.
+const std::string slanting = R"([tool]
+kind = "ball"
+radius_mm = 3.0
+aim_mm = [0.3, 0.2, 5.0]
+axis = [0.4, 0.0, -1.0]
+)";
 const std::string top = "plane = { point_mm = [0.0, 0.0, 4.99], normal = [0.0, 0.0, -1.0] }\n";
 
 }  // namespace
@@ -55,17 +63,7 @@ count = 8
 }
 
 TEST_F(SensitivitiesOfARun, FrictionRemembersToo) {
-  write(R"(
-[material]
-law = "neo_hookean"
-mu = 0.0067
-kappa = 0.05
-[tool]
-kind = "ball"
-radius_mm = 3.0
-aim_mm = [0.3, 0.2, 5.0]
-axis = [0.4, 0.0, -1.0]
-friction = 0.2
+  write(soft + "kappa = 0.05\n" + slanting + R"(friction = 0.2
 path = [[0, 0], [1, 0.8], [2, 0.4], [3, 0.8]]
 [steps]
 count = 9
@@ -128,16 +126,7 @@ count = 6
 
 /// In a hold any friction sticks: a secant stands in.
 TEST_F(SensitivitiesOfARun, FrictionThatIsNotThereYet) {
-  write(R"(
-[material]
-law = "neo_hookean"
-mu = 0.0067
-[tool]
-kind = "ball"
-radius_mm = 3.0
-aim_mm = [0.3, 0.2, 5.0]
-axis = [0.4, 0.0, -1.0]
-friction = 0.0
+  write(soft + slanting + R"(friction = 0.0
 path = [[0, 0], [1, 0.8], [1.5, 0.8], [2, 0.4]]
 [steps]
 count = 6
@@ -146,7 +135,7 @@ count = 6
 }
 
 TEST_F(SensitivitiesOfARun, ANumberThatIsNotThereIsRefused) {
-  write("[material]\nlaw = \"neo_hookean\"\nmu = 0.0067\n[[displacement]]\nmotion_mm = [0, 0, -0.1]\n" + top + base);
+  write(soft + "[[displacement]]\nmotion_mm = [0, 0, -0.1]\n" + top + base);
   const Settings settings = Settings::read(folder / "case.toml");
   const Case c = read_case(settings, "");
   implicit::Equilibrium equilibrium(c.model, 1);
