@@ -9,7 +9,9 @@ cd "$folder"
 
 fail() { echo "$1" >&2; exit 1; }
 
-# Two blocks, one on the other with a gap of 0.05 mm: 12 × 12 × 6 mm in cells of 2 mm, 8 × 8 × 4 mm in cells of 1.6 mm and 2 mm.
+# mesh.vtu: two blocks, one on the other with a gap of 0.05 mm: 12 × 12 × 6 mm in cells of 2 mm, 8 × 8 × 4 mm in cells of 1.6 mm and 2 mm.
+# large.vtu: one block of
+# 1 183 nodes, more than the size from which a factor is kept.
 python3 - <<'PY'
 points, tets, regions, faces, face_regions = [], [], [], [], []
 def block(low, size, cells, region):
@@ -36,15 +38,14 @@ def block(low, size, cells, region):
         if len(face) == 1:
             faces.append(face[0])
             face_regions.append(100 + region)
-block((-6, -6, 0), (12, 12, 6), (6, 6, 3), 1)
-block((-4, -4, 6.05), (8, 8, 4), (5, 5, 2), 2)
-cells = tets + faces
-row = lambda lists: " ".join(str(x) for one in lists for x in one)
-offsets, total = [], 0
-for c in cells:
-    total += len(c)
-    offsets.append(total)
-open("mesh.vtu", "w").write(f'''<?xml version="1.0"?>
+def write(name):
+    cells = tets + faces
+    row = lambda lists: " ".join(str(x) for one in lists for x in one)
+    offsets, total = [], 0
+    for c in cells:
+        total += len(c)
+        offsets.append(total)
+    open(name, "w").write(f'''<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>
 <FieldData>
 <Array type="String" Name="SPACE" NumberOfTuples="1" format="ascii">76 80 83 0</Array>
@@ -58,6 +59,13 @@ open("mesh.vtu", "w").write(f'''<?xml version="1.0"?>
 <DataArray type="UInt8" Name="types" format="ascii">{row([[10] * len(tets) + [5] * len(faces)])}</DataArray></Cells>
 <CellData><DataArray type="Int32" Name="region" format="ascii">{row([regions + face_regions])}</DataArray></CellData>
 </Piece></UnstructuredGrid></VTKFile>''')
+    for one in (points, tets, regions, faces, face_regions):
+        one.clear()
+block((-6, -6, 0), (12, 12, 6), (6, 6, 3), 1)
+block((-4, -4, 6.05), (8, 8, 4), (5, 5, 2), 2)
+write("mesh.vtu")
+block((-6, -6, 0), (12, 12, 6), (12, 12, 6), 1)
+write("large.vtu")
 PY
 
 # The upper block is dragged by a ball with friction: it presses the lower one, which yields with time and softens.
@@ -100,7 +108,8 @@ path = [[0, 0], [0.6, 1.6], [1.0, 1.2]]
 count = 10
 frames = 4
 TOML
-solve() { exec "$bin/palpate-solve" "$1" "$2" --mesh mesh.vtu --threads 1 --sensitivities "material[0].mu, effect[0].g[0]" </dev/null; }
+mesh=mesh.vtu
+solve() { exec "$bin/palpate-solve" "$1" "$2" --mesh $mesh --threads 1 --sensitivities "material[0].mu, effect[0].g[0]" </dev/null; }
 bytes_of() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum); }
 
 start=$(date +%s%N)
@@ -163,3 +172,34 @@ for damage in none byte frame cut case; do
   bytes_of out | cmp - whole.sums || fail "$damage: other bytes"
   rm -r out out.card.json
 done
+
+# Large enough that Newton's equations are solved with a factor of before (decision 036): it goes on with that one, and what it has cost.
+cat >large.toml <<'TOML'
+schema = "palpate-case/1"
+[[material]]
+law = "neo_hookean"
+mu = 0.005
+[[effect]]
+name = "prony"
+g = [0.3]
+tau_s = [0.5]
+[base]
+plane = { point_mm = [0.0, 0.0, 0.001], normal = [0.0, 0.0, 1.0] }
+[tool]
+kind = "ball"
+radius_mm = 3.0
+aim_mm = [0.1, 0.2, 6.0]
+axis = [0.0, 0.0, -1.0]
+friction = 0.3
+depth_mm = 1.2
+[steps]
+count = 6
+frames = 6
+TOML
+mesh=large.vtu
+(solve large.toml large) >/dev/null
+bytes_of large >large.sums
+killed_midway large.toml
+(solve large.toml out) >/dev/null 2>message
+grep -q "continues a run that was killed" message || fail "large: does not go on: $(cat message)"
+bytes_of out | cmp - large.sums || fail "large: other bytes"
