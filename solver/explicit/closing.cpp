@@ -95,7 +95,7 @@ void Closing::judge() {
 /// The jaws wait while the wall moves too much: their pace goes with what the kinetic part may be over what it is, and the
 /// wall is damped the more the less they move. What is let go at once, a fold that snaps, comes to rest so before they go on.
 void Closing::keep_pace() {
-  const double internal = motion.internal(), part = internal > 0 ? motion.kinetic() / internal : 0, closed = jaws.travel() / (jaws.start_gap() - c.clamp.gap);
+  const double internal = std::abs(motion.internal()), part = internal > 0 ? motion.kinetic() / internal : 0, closed = jaws.travel() / (jaws.start_gap() - c.clamp.gap);
   if (closed > 0.1) worst_kinetic = std::max(worst_kinetic, part);
   if (!(c.kinetic_part > 0) || closed < paced_from) return;
   const double wanted = std::clamp(0.4 * c.kinetic_part / std::max(part, 1e-12), least_pace, 1.0);
@@ -166,7 +166,8 @@ void Closing::run(const std::function<void(const Row&)>& row_done, const std::fu
     contact();
     row = {motion.time(), jaws.travel(), jaws.gap(), mean, mean.dot(c.clamp.axis), 0, self.area(), cycles, step_, motion.ledger()};
     for (int i : jaws.touched()) row.jaw_area += node_area_[i];
-    peak_internal = std::max(peak_internal, row.ledger.internal);
+    // a layer that shrinks under its tension gives what the law stores: then the sum says nothing of how much energy there is
+    peak_internal = std::max({peak_internal, std::abs(row.ledger.internal), row.ledger.internal - (tissue ? tissue->work() : 0)});
     expect_sound(row);
     worst_imbalance = std::max(worst_imbalance, std::abs(row.ledger.imbalance()));
     row_done(row);

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
+#include <numeric>
 #include <vector>
 
 #include <solver/archive.hpp>
@@ -44,6 +45,9 @@ class TissueForces {
   void add(const WallState& state, double time, double dt, int from, int to, Slots& slots);
   /// What is added to the law's S at a point of the thickness, at the moment of the last add().
   materials::InPlane<double> correction(int triangle, int layer, const materials::InPlane<double>& C) const;
+
+  /// Of what is added, so far, N mm.
+  double work() const { return std::accumulate(work_.begin(), work_.end(), 0.0); }
 
   double tension_rise = 1;  ///< part of the layers that acts
 

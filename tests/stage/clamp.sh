@@ -45,6 +45,22 @@ sed 's/^speed.*/speed_mm_s = 200/; s/^frames.*/frames = 10/' case.toml > thin.to
 "$bin/test-wall-crossings" thin 1
 if "$bin/test-wall-crossings" thin 0.01 >/dev/null; then echo "blocks with sharp edges are not seen to be crossed"; exit 1; fi
 
+# a tension on the inner face: with time to settle the wall is at rest when the jaws begin, without it swings
+sed 's/^speed.*/speed_mm_s = 400\ngap_mm = 20/' case.toml > skin.toml
+printf '[[effect]]\nname = "capsule"\nE_h = 0\ntension = 0.02\nface = "inner"\n' >> skin.toml
+sed 's/^frames/settle_s = 0.05\nframes/' skin.toml > settled.toml
+"$bin/palpate-solve" skin.toml skin --quiet >/dev/null
+"$bin/palpate-solve" settled.toml settled --quiet >/dev/null
+python3 - <<'PY'
+import csv, json
+first = {f: {k: float(v) for k, v in list(csv.DictReader(open(f + "/history.csv")))[1].items()} for f in ("skin", "settled")}
+if not (first["settled"]["t[s]"] > 0.05 and first["skin"]["t[s]"] < 0.01 and first["settled"]["kinetic[mJ]"] < 0.05 * first["skin"]["kinetic[mJ]"]):
+    raise SystemExit(f"not settled: {first}")
+for f in ("skin", "settled"):
+    if not json.load(open(f + "/summary.json"))["energy_imbalance_part"] <= 0.01:
+        raise SystemExit(f"{f}: energies do not balance")
+PY
+
 # driven by the paper's pressure the jaw slams: energies still balance, and contact takes energy rather than making it
 sed 's/^speed.*/pressure_MPa = 0.0785/; s/^frames/duration_s = 0.012\nframes/' case.toml > pressed.toml
 "$bin/palpate-solve" pressed.toml pressed --quiet >/dev/null
@@ -69,6 +85,7 @@ refused() {
   "$bin/palpate-solve" bad.toml bad --quiet 2>message || got=$?
   if [ "$got" != "$1" ] || ! grep -q -- "$2" message || [ -e bad ]; then echo "expected $1 and \"$2\", got $got and:"; cat message; exit 1; fi
 }
+refused 2 "did you mean slice" 's/^schema/ends = "slic"\nschema/'
 refused 2 "start inside the wall" 's/^speed.*/open_mm = 20/'
 refused 2 "miss the wall" 's/\[0, 0, 30\]/[0, 0, 300]/'
 refused 2 "farther apart" 's/^speed.*/gap_mm = 30/'
