@@ -20,7 +20,7 @@ TABLE = pathlib.Path(__file__).with_name("curves.csv")
 CASES = {"none": ([0], [5.0, 2.5]), "thickness": ([-0.3, -0.2, -0.1, -0.05], [5.0, 2.5]), "compressibility": ([0.005, 0.02, 0.05, 0.1], [5.0, 2.5]),
          "stiffening": ([0.25, 0.5, 1.0, 2.0], [5.0, 2.5]), "inclusion": ([0.5, 1.0, 2.0, 4.0], [5.0]), "capsule": ([0.005, 0.01, 0.02, 0.05], [5.0, 2.5]),
          "support": ([0.5, 1.0, 2.0, 4.0], [5.0, 2.5]),
-         "narrow": ([30, 20], [5.0, 2.5])}
+         "narrow": ([30, 20], [5.0, 2.5]), "height": ([8, 12], [5.0, 2.5])}
 
 
 def graded(first, even, end):
@@ -34,8 +34,8 @@ def graded(first, even, end):
 
 def layer_model(gf, np, radius, effect, amplitude):
     """Model, method of integration, weight of the force. Amplitudes: share of the height; 1/2 - Poisson's ratio; Demiray's b; excess stiffness of a ball of 5 mm
-    radius 7 mm under the surface; E h of a skin, N/mm; softness of a bed under the layer, mm of a column at 1 MPa over the layer's own 1/(3 MU) per mm; radius of a cylinder instead of SIDE, mm."""
-    h = HEIGHT * (1 + (amplitude if effect == "thickness" else 0))
+    radius 7 mm under the surface; E h of a skin, N/mm; softness of a bed under the layer, mm of a column at 1 MPa over the layer's own 1/(3 MU) per mm; radius of a cylinder instead of SIDE, mm; height instead of HEIGHT."""
+    h = amplitude if effect == "height" else HEIGHT * (1 + (amplitude if effect == "thickness" else 0))
     first = radius / 10
     mesh = gf.Mesh("cartesian", np.array(graded(first, 1.3 * radius, amplitude if effect == "narrow" else SIDE)), h - np.array(graded(first, 0.8 * radius, h))[::-1])
     for region, (axis, value) in enumerate([(1, 0.0), (1, h), (0, 0.0)], start=1):
@@ -83,7 +83,7 @@ def layer_model(gf, np, radius, effect, amplitude):
 
 def curve(gf, np, radius, effect, amplitude):
     model, inside = layer_model(gf, np, radius, effect, amplitude)
-    deepest = 4.6 if radius == 5 else 3.0
+    deepest = min(4.6 if radius == 5 else 3.0, 0.3 * (amplitude if effect == "height" else HEIGHT))
     rows = []
     for share in (0.02, 0.05, 0.1, 0.17, 0.25, 0.33, 0.42, 0.5, 0.58, 0.67, 0.75, 0.83, 0.92, 1.0):
         model.set_variable("depth", [share * deepest])

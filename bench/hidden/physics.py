@@ -132,25 +132,15 @@ def relaxed(times, depths, run, knobs):
     return out
 
 
-def given_way(depths, run, knobs):
-    """Depth read to true depth through play, offset, breathing and a series compliance (bisection on the elastic curve)."""
+def reached_by_tool(depths, run, knobs):
+    """Depth read to the tool's depth through offset and play."""
     depths = [d + knobs.get("contact_offset", 0) for d in depths]
     if knobs.get("backlash"):
         at = 0.0
         for i, d in enumerate(depths):
             at = min(max(at, d), d + knobs["backlash"])
             depths[i] = at
-    c = knobs.get("rig_compliance", 0)
-    if not c:
-        return depths
-    true = []
-    for d in depths:
-        low, high = min(d, 0.0), max(d, 0.0)
-        for _ in range(40 if d > 0 else 0):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if middle + c * elastic(middle, run, knobs) < d else (low, middle)
-        true.append(high if d > 0 else d)
-    return true
+    return depths
 
 
 def sticking(depths, radius, work):
@@ -216,7 +206,11 @@ def force_of(times, read, run, knobs):
     """Depth read to force read."""
     if run["kind"] == "air":
         return read_off(times, [0.0] * len(times), run, knobs)
-    depths = given_way(read, run, knobs)
+    depths = reached_by_tool(read, run, knobs)
     if knobs.get("breathing"):
         depths = [d + knobs["breathing"] * math.sin(2 * math.pi * 0.21 * t + run["order"]) for d, t in zip(depths, times)]
-    return read_off(times, contact(times, depths, relaxed(times, depths, run, knobs), run, knobs), run, knobs)
+    tissue = lambda at: contact(times, at, relaxed(times, at, run, knobs), run, knobs)
+    force, c = tissue(depths), knobs.get("rig_compliance", 0)
+    for _ in range(8 if c else 0):  # the rig gives way by c F: a contraction, c dF/dd is near 0.2
+        force = tissue([d - c * f for d, f in zip(depths, force)])
+    return read_off(times, force, run, knobs)

@@ -58,7 +58,7 @@ double inclusion_factor(const Site& site, const Tissue& tissue, double contact_m
 
 double representative_strain(bool deep, double x, double chi) { return deep ? 0.18 + 0.01 * x + 0.5 * std::sqrt(x) * chi : 0.2; }
 
-double neo_hookean_depth(double x, double chi) { return std::max(1 - 0.054 * std::sqrt(x) - 0.118 * x - 0.323 * x * chi, 0.2); }
+double neo_hookean_depth(double x, double chi) { return std::max(1 - 0.068 * std::sqrt(x) - 0.092 * x - 0.312 * x * chi - 0.012 * x * x, 0.2); }
 
 double compressible_depth(double nu, double x, double chi) {
   const double n = 0.5 - nu;

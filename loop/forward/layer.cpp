@@ -61,12 +61,19 @@ class Kernel {
   std::vector<double> table_;
 };
 
+/// Cubic through the four nearest points (Lagrange); beyond the last as at it. Straight lines would bend at every point by more than noise.
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at >= x.back()) return y.back();
-  const std::size_t i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  if (i == 0) return y.front();
-  const double t = (at - x[i - 1]) / (x[i] - x[i - 1]);
-  return (1 - t) * y[i - 1] + t * y[i];
+  const std::size_t next = std::upper_bound(x.begin(), x.end(), at) - x.begin();
+  const std::size_t first = std::min(next > 2 ? next - 2 : 0, x.size() - 4);
+  double sum = 0;
+  for (std::size_t i = first; i < first + 4; ++i) {
+    double term = y[i];
+    for (std::size_t j = first; j < first + 4; ++j)
+      if (j != i) term *= (at - x[j]) / (x[i] - x[j]);
+    sum += term;
+  }
+  return sum;
 }
 
 }  // namespace

@@ -89,9 +89,23 @@ VectorXd corners(const Forward& forward, std::size_t run) {
   return corner;
 }
 
+/// Means over seven neighbours on either side, none beyond the phase.
+VectorXd smoothed(const Forward& forward, std::size_t run, const VectorXd& x) {
+  constexpr int reach = 7;
+  const int n = static_cast<int>(x.size());
+  VectorXd mean(n);
+  for (int b = 0; b < n; ++b) {
+    int low = b, high = b;
+    while (low > 0 && b - low < reach && forward.phase_of(run, low - 1) == forward.phase_of(run, b)) --low;
+    while (high + 1 < n && high - b < reach && forward.phase_of(run, high + 1) == forward.phase_of(run, b)) ++high;
+    mean(b) = x.segment(low, high - low + 1).mean();
+  }
+  return mean;
+}
+
 }  // namespace
 
-NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& slope, double depth_scale_mm) {
+NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& predicted, const VectorXd& slope, double depth_scale_mm) {
   NoiseShape shape;
   const VectorXd F = forward.measured(run), t = forward.times(run);
   const int n = static_cast<int>(F.size());
@@ -99,7 +113,7 @@ NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& 
   shape.corner = corners(forward, run);
   shape.largest_N = std::max(F.cwiseAbs().maxCoeff(), 1e-12);
   MatrixXd B(n, noise_directions);
-  B.col(0) = F;
+  B.col(0) = predicted + smoothed(forward, run, F - predicted);
   B.col(1) = slope * depth_scale_mm;
   const VectorXd x = (t.array() - t(0)) / std::max(t(n - 1) - t(0), 1e-12);
   for (int j = 2; j < noise_directions; ++j) B.col(j) = shape.largest_N * ((j - 2) * M_PI * x.array()).cos();

@@ -47,8 +47,10 @@ class Whitener {
   Eigen::VectorXd shrink_, grow_;
 };
 
-/// Directions of the run's noise; `slope` is dF/du of each block, N/mm.
-NoiseShape noise_shape(const Forward& forward, std::size_t run, const Eigen::VectorXd& slope, double depth_scale_mm);
+/// Directions of the run's noise at a model that predicts `predicted` (N) with dF/du `slope` (N/mm) in each block. The direction of gain is what was measured without its
+/// fast noise: predicted, and the difference from it averaged over neighbours. With the noise in it a fit sinks by the gain's variance for every block (Peelle 1987;
+/// D'Agostini 1994, Nucl. Instr. Meth. A 346:306).
+NoiseShape noise_shape(const Forward& forward, std::size_t run, const Eigen::VectorXd& predicted, const Eigen::VectorXd& slope, double depth_scale_mm);
 
 /// `residual[i]` belongs to `shapes[i]`; `group[i]` names its replicates, −1 for none.
 Noise estimate_noise(const std::vector<NoiseShape>& shapes, const std::vector<Eigen::VectorXd>& residual, const std::vector<int>& group,

@@ -264,7 +264,7 @@ double excess(const Session& s, double chi2) {
 /// is found on runs left out but is no fifth of the excess: one of two effects that hide each other; the search must bear it out.
 int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
   double form = 0;  // what the effects taken so far may leave because their shortcuts are not exact
-  for (const Active& a : current.model.active) form = std::max(form, std::pow(a.effect->accuracy, 2) * (s.null.chi2 - current.chi2));
+  for (const Active& a : current.model.active) form = std::max(form, std::pow(std::min(a.effect->accuracy, thresholds::further_matters), 2) * (s.null.chi2 - current.chi2));
   const double least = current.model.active.empty() ? 0 : std::max(thresholds::relevance * excess(s, current.chi2), form);
   double before = std::numeric_limits<double>::quiet_NaN();
   int taken = -1, half = -1;

@@ -28,8 +28,11 @@ Session session_of(Strains strains, const Set& set, const std::function<void(For
 /// What is unexplained counts as more effects than the search may take.
 int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained ? thresholds::most_effects + 1 : static_cast<int>(t.effects.size()); }
 
-bool simpler(const CurveTried& a, const CurveTried& b) {
-  return effects_of(a) < effects_of(b) && (b.kind == VerdictKind::unexplained || a.chi2 <= b.chi2 + 2 * thresholds::alternative);
+/// How much more a simpler explanation may leave: what excludes no alternative, and what the shortcuts of the effects found may be off by.
+double margin(const Searched& s) {
+  double accuracy = 0;
+  for (const Active& a : s.finding.final.model.active) accuracy = std::max(accuracy, a.effect->accuracy);
+  return 2 * thresholds::alternative + accuracy * accuracy * (s.session.null.chi2 - s.finding.final.chi2);
 }
 
 }  // namespace
@@ -45,14 +48,14 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   remark("the same with closed forms of small strain");
   Searched small{session_of(Strains::small, set, {}, threads), {}, {}};
   const int most = effects_of(finite.curves.front()) - 1;
-  const double enough = kind == VerdictKind::unexplained ? std::numeric_limits<double>::infinity() : finite.finding.final.chi2 + 2 * thresholds::alternative;
+  const double enough = kind == VerdictKind::unexplained ? std::numeric_limits<double>::infinity() : finite.finding.final.chi2 + margin(finite);
   if (most == 0 && small.session.null.chi2 > enough) {  // no effect is left out, and without one it explains less
     finite.curves.push_back({Strains::small, {}, small.session.null.chi2, VerdictKind::unexplained});
     return finite;
   }
   small.finding = search(small.session, null_sets, seed, remark, std::min(most, thresholds::most_effects));
   small.curves.push_back(tried_of(small, Strains::small));
-  const bool taken = simpler(small.curves.front(), finite.curves.front());
+  const bool taken = effects_of(small.curves.front()) < effects_of(finite.curves.front()) && small.finding.final.chi2 <= enough;
   Searched& best = taken ? small : finite;
   best.curves.push_back((taken ? finite : small).curves.front());
   if (taken)

@@ -180,7 +180,7 @@ void set_noise(Session& s, const Noise& noise) {
 void shape_noise(Session& s, const Model& model) {
   s.shapes.clear();
   for (std::size_t run : s.problem.runs)
-    s.shapes.push_back(noise_shape(*s.forward, run, slope_of(*s.forward, run, model, s.depth_scale_mm), s.depth_scale_mm));
+    s.shapes.push_back(noise_shape(*s.forward, run, s.forward->predicted(run, model), slope_of(*s.forward, run, model, s.depth_scale_mm), s.depth_scale_mm));
 }
 
 void choose_law(Session& s) {
