@@ -194,11 +194,11 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
   const double deepest = std::max(*std::max_element(depth.begin(), depth.end()), 1e-6) * 1.001;
   std::vector<double> depths, forces;
   const auto own = model.tool_form.find(run.tool);
-  const double of_tool = 1 + (own == model.tool_form.end() ? 0 : own->second);
+  const std::array<double, 2> of_tool = own == model.tool_form.end() ? std::array<double, 2>{0, 0} : own->second;
   for (int i = 0; i <= springs; ++i) {
     depths.push_back(deepest * std::pow(static_cast<double>(i) / springs, 1.4));
     const double x = depths.back() / scale_;
-    forces.push_back(of_tool * elastic(run, place, tissue, depths.back()) * (1 + model.form[0] * (2 * x - 1) + model.form[1] * (6 * x * x - 6 * x + 1)));
+    forces.push_back((1 + of_tool[0] + of_tool[1] * (2 * x - 1)) * elastic(run, place, tissue, depths.back()) * (1 + model.form[0] * (2 * x - 1) + model.form[1] * (6 * x * x - 6 * x + 1)));
   }
   auto list = springs_of(depths, forces);
   add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));

@@ -24,7 +24,7 @@ struct Model {
   double gain = 0;                 ///< of the rig, where it is known with a standard deviation
   double compliance_mm_per_N = 0;  ///< of the rig, where it is known
   double form[3] = {0, 0, 0};      ///< error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest + form₂
-  std::map<std::string, double> tool_form;  ///< and of each further tool's, relative
+  std::map<std::string, std::array<double, 2>> tool_form;  ///< and of each further tool's: × (1 + e₀ + e₁ (2x − 1))
   std::vector<Active> active;
 };
 

@@ -31,7 +31,7 @@ void add_effect(Active& active, std::vector<FitParameter>& list) {
   }
 }
 
-/// The elastic curve's own error: linear and quadratic in depth, in depth itself, and a factor for each tool after the first; each within four
+/// The elastic curve's own error: linear and quadratic in depth, in depth itself, and a factor and a line for each tool after the first; each within four
 /// of its standard deviations, beyond which it is not the curve's.
 void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
   for (int i : {0, 1, 2}) {
@@ -42,10 +42,13 @@ void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
   for (const Run& run : set.runs) {
     if (run.role != Role::fit || run.test != Test::indentation) continue;
     if (first.empty()) first = run.tool;
-    if (run.tool != first) model.tool_form.try_emplace(run.tool, 0.0);
+    if (run.tool != first) model.tool_form.try_emplace(run.tool, std::array<double, 2>{0, 0});
   }
-  const double sd = thresholds::form_sd;
-  for (auto& [tool, factor] : model.tool_form) list.push_back({"form." + tool, "1", &factor, -4 * sd, 4 * sd, false, 1e-4, 0, sd});
+  for (auto& [tool, form] : model.tool_form)
+    for (int i : {0, 1}) {
+      const double sd = i == 0 ? thresholds::form_sd : thresholds::form_tool_sd;
+      list.push_back({"form." + tool + "." + std::to_string(i), "1", &form[i], -4 * sd, 4 * sd, false, 1e-4, 0, sd});
+    }
 }
 
 }  // namespace

@@ -254,6 +254,11 @@ double whitened_change_by_last(const Session& s, Model model, int blocks) {
   return (with - whitened(s.problem, s.problem.whiteners, residual(s.problem, without))).head(blocks).norm();
 }
 
+/// Whether the last effect of a model changes forces by more than repeatability and curves are known to.
+bool matters(const Session& s, const Model& model) {
+  return model.active.back().effect->lateral || change_by_last(s, model) >= (model.active.size() == 1 ? thresholds::matters : thresholds::further_matters);
+}
+
 /// Misfit beyond one per block.
 double excess(const Session& s, double chi2) {
   for (std::size_t run : s.problem.runs) chi2 -= s.forward->blocks(run);
@@ -292,7 +297,7 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
       t.reason = "too small to change any force beyond noise";
       continue;
     }
-    if (!own.effect->lateral && change_by_last(s, t.fit.model) < (current.model.active.empty() ? thresholds::matters : thresholds::further_matters)) {
+    if (!matters(s, t.fit.model)) {
       t.reason = "changes the forces by less than repeatability and curves are known to";
       continue;
     }
@@ -396,7 +401,7 @@ void exchange(Session& s, Finding& f) {
       Fit& fit = fits[k];
       const double form = 0.5 * std::pow(f.candidates[worth[k]].effect->accuracy, 2) * std::max(base.chi2 - fit.chi2, 0.0);
       const double behind = std::max(0.5 * (fit.chi2 - f.final.chi2) - form, std::min(0.5 * (fit.chi2 - f.final.chi2), 0.0));
-      if (behind > thresholds::alternative || at_the_edge(fit) || made_up(s, base.model, fit.model)) continue;
+      if (behind > thresholds::alternative || at_the_edge(fit) || made_up(s, base.model, fit.model) || !matters(s, fit.model)) continue;
       auto names = names_of(fit.model);
       if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
       if (behind < -0.05) {

@@ -3,7 +3,6 @@
 #include <loop/methods/searched.hpp>
 
 #include <algorithm>
-#include <limits>
 
 #include <loop/methods/thresholds.hpp>
 
@@ -35,6 +34,13 @@ double margin(const Searched& s) {
   return 2 * thresholds::alternative + accuracy * accuracy * (s.session.null.chi2 - s.finding.final.chi2);
 }
 
+/// Misfit per block.
+double misfit(const Searched& s) {
+  int blocks = 0;
+  for (std::size_t run : s.session.problem.runs) blocks += s.session.forward->blocks(run);
+  return s.finding.final.chi2 / std::max(blocks, 1);
+}
+
 }  // namespace
 
 Searched searched(const Set& set, const std::function<void(Forward&)>& correct, int threads, int null_sets, std::uint64_t seed,
@@ -45,10 +51,11 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   const bool pressed = std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.role == Role::fit && r.test == Test::indentation; });
   const VerdictKind kind = finite.finding.kind;
   if (!pressed || !set.specimen.case_file.empty() || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
+  if (kind == VerdictKind::unexplained && misfit(finite) < thresholds::other_curve) return finite;
   remark("the same with closed forms of small strain");
   Searched small{session_of(Strains::small, set, {}, threads), {}, {}};
   const int most = effects_of(finite.curves.front()) - 1;
-  const double enough = kind == VerdictKind::unexplained ? std::numeric_limits<double>::infinity() : finite.finding.final.chi2 + margin(finite);
+  const double enough = kind == VerdictKind::unexplained ? 0.5 * finite.finding.final.chi2 : finite.finding.final.chi2 + margin(finite);
   if (most == 0 && small.session.null.chi2 > enough) {  // no effect is left out, and without one it explains less
     finite.curves.push_back({Strains::small, {}, small.session.null.chi2, VerdictKind::unexplained});
     return finite;

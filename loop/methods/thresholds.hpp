@@ -33,7 +33,9 @@ inline constexpr double prior_offset_sd = 0.002;  ///< run-to-run, relative to t
 inline constexpr double prior_drift_sd = 0.002;   ///< slow, relative to the run's largest force, falling as 1/order
 inline constexpr double prior_lateral_sd = 0.005; ///< run-to-run, of lateral over axial force
 inline constexpr double form_sd = 0.005;          ///< of the elastic curve's own error, linear and quadratic in depth, and from tool to tool, relative
+inline constexpr double form_tool_sd = 0.002;     ///< of what depth changes from tool to tool, relative: closed forms against GetFEM with two balls (decision 042)
 inline constexpr double form_depth_sd = 0.002;    ///< of the same in depth, relative to the deepest point
+inline constexpr double other_curve = 2;          ///< squares per block that must be unexplained before another elastic curve is thought of
 inline constexpr double wide_layer = 2.5;         ///< heights from a side, beyond which it is not felt
 
 /// All of them, by name.
