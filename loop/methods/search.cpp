@@ -10,6 +10,7 @@
 #include <palpate/errors.hpp>
 #include <palpate/nearest.hpp>
 #include <loop/methods/parallel.hpp>
+#include <loop/methods/relevance.hpp>
 #include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
@@ -71,13 +72,6 @@ Fit refit_with(const Session& s, const Model& model, const Candidate& c, const s
   return fitted(s.problem, with, {nullptr, c.effect->probe_of ? std::numeric_limits<double>::infinity() : hopeless});
 }
 
-/// An amplitude at the edge of its plausible range says that another effect is meant.
-bool at_the_edge(const Fit& fit) {
-  const Active& a = fit.model.active.back();
-  const Range& range = a.effect->entry.parameters[0].range;
-  return (range.min < 0 && a.amplitude <= 0.99 * range.min) || a.amplitude >= 0.99 * range.max;
-}
-
 /// A limit just under the largest force read, on a tissue stiff enough to reach beyond it.
 Fit limit_refit(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape) {
   Model stiff = model;
@@ -95,50 +89,6 @@ Fit column_refit(const Session& s, const Model& model, const Candidate& c, const
   if (fit.chi2 <= l.chi2 - 0.8 * expected && !c.effect->probe_of) return fit;
   Fit other = c.effect->told_inverse ? limit_refit(s, model, c, shape) : refit_with(s, model, c, shape, std::copysign(c.probe, e), hopeless);
   return other.chi2 < fit.chi2 ? other : fit;
-}
-
-/// Whether all fitted runs are one kind of homogeneous test.
-bool one_kind_of_test(const Set& set) {
-  std::vector<Test> kinds;
-  for (const Run& run : set.runs)
-    if (run.role == Role::fit) kinds.push_back(run.test);
-  return !kinds.empty() && kinds.front() != Test::indentation && std::count(kinds.begin(), kinds.end(), kinds.front()) == static_cast<long>(kinds.size());
-}
-
-/// How far the nominal stress of `to` departs from that of `from`, relative to its largest, in a test whose first invariant goes to `most` on
-/// the side of the stretches measured.
-double departure(Test test, double most, bool stretched, const Model& from, const Model& to) {
-  const Tissue a = tissue_of(from), b = tissue_of(to);
-  double largest = 1e-300, apart = 0;
-  for (int i = 1; i <= 400; ++i) {
-    const double l = stretched ? 1 + 0.025 * i : 1 - 0.0024 * i;
-    const double I1 = test == Test::uniaxial ? l * l + 2 / l : test == Test::equibiaxial ? 2 * l * l + 1 / (l * l * l * l) : l * l + 1 + 1 / (l * l);
-    if (I1 - 3 > most && i > 1) break;
-    const double was = nominal_stress(test, l, *a.law, a.parameters, a.stiffening);
-    largest = std::max(largest, std::abs(was));
-    apart = std::max(apart, std::abs(nominal_stress(test, l, *b.law, b.parameters, b.stiffening) - was));
-  }
-  return apart / largest;
-}
-
-/// Data of one kind of test that change little but would change another test at the same I1 beyond all proportion do not carry a law: what it
-/// says of the other test is made up.
-bool made_up(const Session& s, const Model& before, const Model& after) {
-  if (!one_kind_of_test(*s.set)) return false;
-  double own = 0, others = 0;
-  for (bool stretched : {true, false}) {
-    double most = 0;
-    for (std::size_t r : s.problem.runs)
-      for (double u : s.set->runs[r].u) {
-        const double l = s.set->runs[r].test == Test::simple_shear ? u / 2 + std::sqrt(1 + u * u / 4) : u;
-        if ((l > 1) == stretched) most = std::max(most, l * l + 2 / l - 3);
-      }
-    if (!(most > 1e-3)) continue;
-    const Test kind = s.set->runs[s.problem.runs.front()].test == Test::simple_shear ? Test::pure_shear : s.set->runs[s.problem.runs.front()].test;
-    own = std::max(own, departure(kind, most, stretched, before, after));
-    for (Test test : {Test::uniaxial, Test::equibiaxial, Test::pure_shear}) others = std::max(others, departure(test, most, stretched, before, after));
-  }
-  return others > thresholds::made_up * own;
 }
 
 /// The best column's refit; where shapes are kinds that a fit cannot move (laws, places), the best of the five best columns, one within
@@ -228,41 +178,6 @@ double share_of_one_run(const Linear& l, int column, const std::vector<int>& len
     at += length;
   }
   return largest;
-}
-
-/// How much the last effect of a model changes the fitted forces: root mean square, relative to the largest force.
-double change_by_last(const Session& s, const Model& model) {
-  Model without = model;
-  without.active.pop_back();
-  double squares = 0, largest = 0;
-  long blocks = 0;
-  for (std::size_t run : s.problem.runs) {
-    if (s.set->runs[run].role != Role::fit) continue;
-    const VectorXd with = s.forward->predicted(run, model);
-    squares += (with - s.forward->predicted(run, without)).squaredNorm();
-    largest = std::max(largest, with.cwiseAbs().maxCoeff());
-    blocks += with.size();
-  }
-  return std::sqrt(squares / std::max(blocks, 1L)) / std::max(largest, 1e-300);
-}
-
-/// The same in deviations of noise, over the first `blocks` rows: the curves.
-double whitened_change_by_last(const Session& s, Model model, int blocks) {
-  Model without = model;
-  without.active.pop_back();
-  const VectorXd with = whitened(s.problem, s.problem.whiteners, residual(s.problem, model));
-  return (with - whitened(s.problem, s.problem.whiteners, residual(s.problem, without))).head(blocks).norm();
-}
-
-/// Whether the last effect of a model changes forces by more than repeatability and curves are known to.
-bool matters(const Session& s, const Model& model) {
-  return model.active.back().effect->lateral || change_by_last(s, model) >= (model.active.size() == 1 ? thresholds::matters : thresholds::further_matters);
-}
-
-/// Misfit beyond one per block.
-double excess(const Session& s, double chi2) {
-  for (std::size_t run : s.problem.runs) chi2 -= s.forward->blocks(run);
-  return std::max(chi2, 0.0);
 }
 
 /// The best candidate that passes threshold and relevance; −1: none. Writes the reasons. Of a first step that none passes, the best whose gain
