@@ -127,6 +127,36 @@ VectorXd held(VectorXd g, const std::vector<FitParameter>& parameters, MatrixXd&
   return g;
 }
 
+/// The step of a damped system; what would leave its bounds goes to them, and the others' step knows it.
+VectorXd bounded_step(const MatrixXd& N, const VectorXd& g, const std::vector<FitParameter>& parameters) {
+  const int n = static_cast<int>(g.size());
+  VectorXd step = N.ldlt().solve(g), fixed = VectorXd::Zero(n);
+  std::vector<bool> stopped(n, false);
+  const auto coordinate = [](const FitParameter& p, double value) { return p.logarithmic ? std::log(std::max(value, 1e-300)) : value; };
+  for (int pass = 0; pass < 4; ++pass) {
+    bool more = false;
+    for (int j = 0; j < n; ++j) {
+      const FitParameter& p = parameters[j];
+      const double down = coordinate(p, p.low) - p.coordinate(), up = coordinate(p, p.high) - p.coordinate();
+      if (stopped[j] || (step(j) >= down && step(j) <= up)) continue;
+      fixed(j) = step(j) < down ? down : up;
+      stopped[j] = more = true;
+    }
+    if (!more) break;
+    MatrixXd M = N;
+    VectorXd b = g - N * fixed;
+    for (int j = 0; j < n; ++j) {
+      if (!stopped[j]) continue;
+      M.row(j).setZero();
+      M.col(j).setZero();
+      M(j, j) = 1;
+      b(j) = fixed(j);
+    }
+    step = M.ldlt().solve(b);
+  }
+  return step;
+}
+
 }  // namespace
 
 Fit fitted(const Problem& p, Model start, const FitHelp& help) {
@@ -147,9 +177,9 @@ Fit fitted(const Problem& p, Model start, const FitHelp& help) {
     for (int attempt = 0; attempt < 8; ++attempt) {
       MatrixXd damped = N;
       damped.diagonal() += damping * (N.diagonal().array() + 1e-12).matrix();
-      const VectorXd step = damped.ldlt().solve(g);
       Model trial = fit.model;
       auto parameters = fit_parameters(trial, p.forward->set());
+      const VectorXd step = bounded_step(damped, g, parameters);
       for (std::size_t j = 0; j < parameters.size(); ++j) {
         const double most = parameters[j].logarithmic ? 1.5 : 1e300;
         parameters[j].set_coordinate(parameters[j].coordinate() + std::clamp(step(j), -most, most));
@@ -157,7 +187,7 @@ Fit fitted(const Problem& p, Model start, const FitHelp& help) {
       const VectorXd r_trial = whitened(p, p.whiteners, residual(p, trial));
       const double chi2 = r_trial.squaredNorm();
       if (chi2 < fit.chi2) {
-        fit.converged = fit.chi2 - chi2 < 1e-4 * std::max(1.0, 1e-3 * chi2);
+        fit.converged = fit.chi2 - chi2 < 1e-4 * std::max(1.0, 1e-3 * chi2) && damping < 1;  // a step that damping made small says nothing
         fresh = !fit.converged && fit.chi2 - chi2 > 0.9 * (2 * g.dot(step) - step.dot(N * step));
         fit.model = trial;
         fit.chi2 = chi2;

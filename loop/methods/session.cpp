@@ -91,10 +91,16 @@ void scale_moduli(const Problem& p, Model& model) {
   }
 }
 
-/// Several starts: as it stands, and a factor of 4 up and down in every parameter but the moduli, which are scaled.
+/// Several starts: as it stands, and a factor of 4 up and down in every parameter but the moduli, which are scaled; where contact is unknown, also with contact
+/// at a quarter and at half of the deepest point: beyond it no force tells a fit the way back.
 Fit best_fit(const Problem& p, const Model& start) {
   Fit best;
   best.chi2 = std::numeric_limits<double>::infinity();
+  double zero_room = 0;
+  for (std::size_t run : p.runs) {
+    const Run& r = p.forward->set().runs[run];
+    if (r.zero == "tool_start" && r.test == Test::indentation) zero_room = std::max(zero_room, *std::max_element(r.u.begin(), r.u.end()) - start.zero_mm);
+  }
   for (double factor : {1.0, 0.25, 4.0}) {
     Model model = start;
     bool other = factor == 1.0;
@@ -105,9 +111,13 @@ Fit best_fit(const Problem& p, const Model& start) {
       other = true;
     }
     if (!other) continue;
-    scale_moduli(p, model);
-    Fit fit = fitted(p, model);
-    if (fit.chi2 < best.chi2) best = std::move(fit);
+    for (double share : {0.0, 0.25, 0.5}) {
+      model.zero_mm = start.zero_mm + share * zero_room;
+      scale_moduli(p, model);
+      Fit fit = fitted(p, model);
+      if (fit.chi2 < best.chi2) best = std::move(fit);
+      if (zero_room == 0) break;
+    }
   }
   return best;
 }
