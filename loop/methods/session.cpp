@@ -58,6 +58,16 @@ Noise crude_noise(double sensor_sd) {
   return noise;
 }
 
+/// Without replicates nothing is known of the noise: every block of a run weighs alike, and errors in N decide the ranking. What slow directions
+/// leave of a coarse misfit must not: a fit would go where it hides best (decision 041).
+Noise unrepeated_noise(double sensor_sd) {
+  Noise noise;
+  noise.sensor_sd = sensor_sd;
+  noise.scatter = thresholds::prior_gain_sd;
+  noise.sd[0] = thresholds::prior_gain_sd;
+  return noise;
+}
+
 /// dF/du of each block, from a shift of the depth.
 VectorXd slope_of(const Forward& forward, std::size_t run, const Model& model, double depth_scale) {
   static const Effect shift = [] {
@@ -238,7 +248,8 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct) {
       of_run.push_back(left.data.col(0).segment(at, s.forward->blocks(run)));
       at += s.forward->blocks(run);
     }
-    set_noise(s, estimate_noise(s.shapes, of_run, s.group, sensor_sd));
+    const Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
+    set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
   }
   s.null = best_fit(s.problem, s.null.model);
   return s;
