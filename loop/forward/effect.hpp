@@ -42,6 +42,8 @@ struct Effect {
   bool needs_unload = false;   ///< nor one in which no run unloads
   bool needs_hold = false;     ///< nor one without hold, unloading and a second rate
   bool told_inverse = false;   ///< people are told one over the amplitude
+  bool on_clamp = false;       ///< an effect on the tissue that a clamp's curves have
+  bool clamp_only = false;     ///< and one that nothing else has
   bool repeats = false;        ///< it may be taken again with another shape (a second relaxation time)
   std::string (*known)(const Set& set) = nullptr;  ///< why the set leaves nothing to find; empty: it does
   std::string absent;  ///< why it is not offered; empty: it is

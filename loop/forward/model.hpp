@@ -4,8 +4,10 @@
 #include <Eigen/Dense>
 #include <atomic>
 #include <map>
+#include <memory>
 
 #include <loop/forward/backbone.hpp>
+#include <loop/forward/clamp.hpp>
 #include <loop/forward/effect.hpp>
 
 namespace palpate::loop {
@@ -25,6 +27,7 @@ struct Model {
   double compliance_mm_per_N = 0;  ///< of the rig, where it is known
   double form[3] = {0, 0, 0};      ///< error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest + form₂
   std::map<std::string, std::array<double, 2>> tool_form;  ///< and of each further tool's: × (1 + e₀ + e₁ (2x − 1))
+  std::vector<double> clamp_form;  ///< of a clamp's curves: their own error at each place (ClampCurves::form_sd)
   std::vector<Active> active;
 };
 
@@ -51,6 +54,8 @@ class Forward {
   void use(Strains strains) { strains_ = strains; }
   /// From now on the closed form of runs with this tool and point is multiplied by c₀ + c₁ x + c₂ x², x = depth/deepest (beyond it as at it):
   /// what a solve of that site says about the closed form.
+  /// Clamps have their curves from solves alone.
+  void use(std::shared_ptr<const ClampCurves> curves) { clamp_ = std::move(curves); }
   void correct(const std::string& tool, const Vec3& point_mm, double deepest_mm, const std::array<double, 3>& factor);
 
  private:
@@ -62,8 +67,10 @@ class Forward {
   };
   double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
   /// `depth` of the tool becomes that of the tissue, where something gives way in series.
+  Path clamped_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const;
   Path tissue_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const;
   const Set* set_;
+  std::shared_ptr<const ClampCurves> clamp_;
   Strains strains_ = Strains::finite;
   double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests
   std::vector<std::vector<int>> begin_;

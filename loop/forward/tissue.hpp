@@ -17,6 +17,11 @@ struct Inclusion {
   double depth_mm;  ///< of its middle
 };
 
+/// A stretch of a tube's wall that is thicker than declared.
+struct Zone {
+  double excess, place_mm, half_mm;  ///< true over declared thickness, minus one; its middle along the tube, and half its length
+};
+
 struct Tissue {
   const Law* law = nullptr;
   std::vector<double> parameters;
@@ -27,6 +32,8 @@ struct Tissue {
   double tension_N_per_mm = 0;   ///< of a thin skin, or of the tissue under it
   double capsule_N_per_mm = 0;   ///< E h of a thin elastic skin
   std::vector<Inclusion> inclusions;
+  std::vector<Zone> zones;       ///< of a clamped tube
+  double jaw_angle_deg = 0;      ///< between the faces of a clamp's jaws
   double support_mm_per_N = 0;   ///< compliance of what carries the specimen
   // Memory; lengths and rates are relative to the deepest point of the set.
   std::vector<PronyTerm> prony;

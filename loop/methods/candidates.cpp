@@ -33,6 +33,8 @@ int rates(const Set& set) {
 
 std::string sieve(const Set& set, const Effect& effect) {
   if (!effect.absent.empty()) return "absent: " + effect.absent;
+  if (set.specimen.shape == "tube" ? effect.tissue && !effect.on_clamp : effect.clamp_only)
+    return effect.clamp_only ? "there is no clamp" : "not solved for a clamp";
   if (effect.needs_contact && !any(set, [](const Run& r) { return r.test == Test::indentation; })) return "homogeneous tests cannot show it";
   if (effect.needs_time && !any(set, [](const Run& r) { return r.timed; })) return "the runs have no times";
   if (effect.needs_unload && !any(set, returns)) return "no run unloads";

@@ -34,6 +34,14 @@ void add_effect(Active& active, std::vector<FitParameter>& list) {
 /// The elastic curve's own error: linear and quadratic in depth, in depth itself, and a factor and a line for each tool after the first; each within four
 /// of its standard deviations, beyond which it is not the curve's.
 void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
+  if (set.specimen.shape == "tube") {
+    model.clamp_form.resize(set.clamp_form_sd.size());
+    for (std::size_t i = 0; i < model.clamp_form.size(); ++i) {
+      const double sd = set.clamp_form_sd[i];
+      list.push_back({"form." + std::to_string(i), "1", &model.clamp_form[i], -4 * sd, 4 * sd, false, 1e-3, 0, sd});
+    }
+    return;
+  }
   for (int i : {0, 1, 2}) {
     const double sd = i < 2 ? thresholds::form_sd : thresholds::form_depth_sd;
     list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -4 * sd, 4 * sd, false, 1e-4, 0, sd});

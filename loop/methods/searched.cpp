@@ -50,7 +50,7 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   finite.curves.push_back(tried_of(finite, Strains::finite));
   const bool pressed = std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.role == Role::fit && r.test == Test::indentation; });
   const VerdictKind kind = finite.finding.kind;
-  if (!pressed || !set.specimen.case_file.empty() || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
+  if (!pressed || !set.specimen.case_file.empty() || set.specimen.shape == "tube" || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
   if (kind == VerdictKind::unexplained && misfit(finite) < thresholds::other_curve) return finite;
   remark("the same with closed forms of small strain");
   Searched small{session_of(Strains::small, set, {}, threads), {}, {}};

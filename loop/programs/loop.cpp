@@ -3,6 +3,7 @@
 #include <palpate/command.hpp>
 #include <palpate/nearest.hpp>
 #include <palpate/text_file.hpp>
+#include <loop/forward/clamp_solves.hpp>
 #include <loop/forward/process.hpp>
 #include <loop/forward/register.hpp>
 #include <loop/forward/solved_curves.hpp>
@@ -11,6 +12,8 @@
 #include <loop/report/case_file.hpp>
 #include <loop/report/report.hpp>
 #include <loop/set/thinned.hpp>
+
+#include <unistd.h>
 
 #include <chrono>
 
@@ -46,6 +49,36 @@ loop::Set sound_set(Command& c) {
 
 void set_input(Usage& u) { u.input("set", "set.toml", "the measured set: specimen, rig, tools, runs and their CSV files"); }
 
+void solves_option(Usage& u) {
+  u.text("solves", "", "folder that keeps the closings that were solved of a clamp, for the next call; without it every call solves its own");
+}
+
+/// Where solves go: the folder asked for, or one that goes again.
+struct Solves {
+  explicit Solves(const std::string& asked)
+      : folder(asked.empty() ? fs::temp_directory_path() / ("palpate-solves-" + std::to_string(getpid())) : fs::path(asked)), goes(asked.empty()) {}
+  ~Solves() {
+    std::error_code ignored;
+    if (goes) fs::remove_all(folder, ignored);
+  }
+  fs::path folder;
+  bool goes;
+};
+
+/// The curves of a clamp, or nothing where there is none.
+std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set) {
+  if (!loop::is_clamp(set)) return nullptr;
+  const Solves solves(c.text("solves"));
+  auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, solves.folder, c.threads(), [&](const std::string& remark) { c.say(remark); }));
+  set.clamp_form_sd = curves->form_sd;
+  return curves;
+}
+
+loop::Session prepared(Command& c, loop::Set& set) {
+  const auto clamp = clamp_of(c, set);
+  return loop::prepared(set, [&](loop::Forward& forward) { forward.use(clamp); });
+}
+
 void usage_of_check(Usage& u) {
   u.name = "check";
   u.sentence = "Says in words what is wrong with a measured set or missing from it, by file and line.";
@@ -63,20 +96,22 @@ void usage_of_noise(Usage& u) {
   u.name = "noise";
   u.sentence = "Prints the noise that replicates and air runs show, as JSON.";
   set_input(u);
+  solves_option(u);
 }
 void run_of_noise(Command& c) {
-  const loop::Set set = sound_set(c);
-  c.print(loop::noise_json(loop::prepared(set)).dump(2));
+  loop::Set set = sound_set(c);
+  c.print(loop::noise_json(prepared(c, set)).dump(2));
 }
 
 void usage_of_blindspots(Usage& u) {
   u.name = "blindspots";
   u.sentence = "Prints what each effect could show with this protocol and what it cannot be told from, as JSON.";
   set_input(u);
+  solves_option(u);
 }
 void run_of_blindspots(Command& c) {
-  const loop::Set set = sound_set(c);
-  loop::Session session = loop::prepared(set);
+  loop::Set set = sound_set(c);
+  loop::Session session = prepared(c, set);
   loop::Finding finding;
   finding.candidates = loop::candidates_of(set);
   finding.blind_spots = loop::blind_spots(session, finding.candidates);
@@ -87,10 +122,11 @@ void usage_of_fit(Usage& u) {
   u.name = "fit";
   u.sentence = "Fits the null model and prints its parameters, as JSON.";
   set_input(u);
+  solves_option(u);
 }
 void run_of_fit(Command& c) {
-  const loop::Set set = sound_set(c);
-  const loop::Session session = loop::prepared(set);
+  loop::Set set = sound_set(c);
+  const loop::Session session = prepared(c, set);
   c.print(loop::parameters_json(session, session.null).dump(2));
 }
 
@@ -102,8 +138,10 @@ void null_sets_option(Usage& u) {
   u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
 }
 
-loop::Searched searched(Command& c, const loop::Set& set, const std::vector<loop::SiteCurve>& curves = {}) {
+loop::Searched searched(Command& c, loop::Set& set, const std::vector<loop::SiteCurve>& curves = {}) {
+  const auto clamp = clamp_of(c, set);
   const auto correct = [&](loop::Forward& forward) {
+    forward.use(clamp);
     for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
   };
   return loop::searched(set, correct, c.threads(), static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
@@ -114,10 +152,11 @@ void usage_of_diagnose(Usage& u) {
   u.sentence = "Finds where the misfit lives and what may be missing, as JSON, and leaves the sealed runs sealed.";
   u.details = "Closed forms only. It prints the verdict on the fitted runs, the table of residuals before and after, and every candidate with its reason.";
   set_input(u);
+  solves_option(u);
   null_sets_option(u);
 }
 void run_of_diagnose(Command& c) {
-  const loop::Set set = sound_set(c);
+  loop::Set set = sound_set(c);
   const loop::Searched s = searched(c, set);
   c.print(loop::diagnosis_json(s.session, s.finding).dump(2));
 }
@@ -127,14 +166,15 @@ void usage_of_add(Usage& u) {
   u.sentence = "Writes the case of palpate-solve with the missing effect added and everything fitted anew.";
   u.details = "Without --effect the effects of the verdict (or of the ranking) are added. A simple shape's mesh is not written: palpate-loop run solves it by itself.";
   set_input(u);
+  solves_option(u);
   u.output("case", "case.toml", "the case with the effect in it");
   u.text("effect", "", "an effect of the catalogue instead of the verdict's");
   null_sets_option(u);
 }
 void run_of_add(Command& c) {
-  const loop::Set set = sound_set(c);
+  loop::Set set = sound_set(c);
   const bool asked = !c.text("effect").empty();
-  loop::Searched s = asked ? loop::Searched{loop::prepared(set), {}, {}} : searched(c, set);
+  loop::Searched s = asked ? loop::Searched{prepared(c, set), {}, {}} : searched(c, set);
   const loop::Fit fit = asked ? loop::fit_with(s.session, c.text("effect")) : s.finding.final;
   const std::string text = loop::case_file(s.session, fit.model);
   if (text.empty()) throw Failure(ExitCode::refused, "homogeneous tests have no case to press", set.file.string(), "palpate-loop run reports the law");
@@ -148,11 +188,12 @@ void usage_of_validate(Usage& u) {
   u.name = "validate";
   u.sentence = "Opens the sealed runs and tells the error before and after on them; every further look into the same file is counted.";
   set_input(u);
+  solves_option(u);
   u.output("validation", "validation.json", "errors before and after by run, and how often the sealed runs were looked at");
   null_sets_option(u);
 }
 void run_of_validate(Command& c) {
-  const loop::Set set = sound_set(c);
+  loop::Set set = sound_set(c);
   if (std::none_of(set.runs.begin(), set.runs.end(), [](const loop::Run& r) { return r.role == loop::Role::holdout; }))
     throw Failure(ExitCode::refused, "no sealed run", set.file.string(), "role = \"holdout\" for at least one run");
   const loop::Searched s = searched(c, set);
@@ -165,10 +206,11 @@ void usage_of_plan(Usage& u) {
   u.name = "plan";
   u.sentence = "Prints the next experiments, the cheapest first: what separates what is left, then what this protocol cannot see, as JSON.";
   set_input(u);
+  solves_option(u);
   null_sets_option(u);
 }
 void run_of_plan(Command& c) {
-  const loop::Set set = sound_set(c);
+  loop::Set set = sound_set(c);
   const loop::Searched s = searched(c, set);
   c.print(loop::plan_json(s.session, s.finding).dump(2));
 }
@@ -181,6 +223,7 @@ void usage_of_run(Usage& u) {
       "further look at them through the same folder is counted. The verdict is one of claimed, confounded, unexplained, nothing_supported,\n"
       "ranking_only; the exit code is 0 for each.";
   set_input(u);
+  solves_option(u);
   u.output("result", "loop", "report.json; curves.csv: every run measured, before and after; case.toml: the case with the effect added", ArgumentKind::folder);
   forward_option(u, "auto");
   null_sets_option(u);
@@ -190,7 +233,7 @@ void usage_of_run(Usage& u) {
 std::vector<loop::SiteCurve> curves_of(Command& c, const loop::Set& set) {
   const std::string forward = c.text("forward");
   const fs::path solver = loop::beside("palpate-solve"), scratch = c.output("result") / "solves";
-  if (forward == "closed" || (forward == "auto" && (solver.empty() || loop::is_wide_layer(set) || !loop::can_be_solved(set)))) return {};
+  if (loop::is_clamp(set) || forward == "closed" || (forward == "auto" && (solver.empty() || loop::is_wide_layer(set) || !loop::can_be_solved(set)))) return {};
   try {
     const auto curves = loop::solved_curves(set, solver, scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
     fs::remove_all(scratch);
@@ -220,7 +263,7 @@ Json tried_json(const std::vector<loop::CurveTried>& curves) {
 
 void run_of_run(Command& c) {
   const auto start = std::chrono::steady_clock::now();
-  const loop::Set set = sound_set(c);
+  loop::Set set = sound_set(c);
   c.say("null model and noise");
   const auto curves = curves_of(c, set);
   const loop::Searched s = searched(c, set, curves);

@@ -71,7 +71,7 @@ std::string case_file(const Session& s, const Model& model) {
   const Run* run = nullptr;
   for (std::size_t r : s.problem.runs)
     if (!run && s.set->runs[r].role == Role::fit && s.set->runs[r].test == Test::indentation) run = &s.set->runs[r];
-  if (!run) return "";
+  if (!run || s.set->specimen.shape == "tube") return "";
   const Specimen& specimen = s.set->specimen;
   const Tool& tool = s.set->tools.at(run->tool);
   const double deepest = *std::max_element(run->u.begin(), run->u.end());

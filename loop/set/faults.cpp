@@ -104,6 +104,13 @@ void touch(const Set& set, const Run& run, std::vector<std::string>& list) {
   if (run.test != Test::indentation || run.is_air() || run.is_block()) return;
   const double largest = *std::max_element(run.F.begin(), run.F.end());
   if (!(largest > 0)) list.push_back(at(run, 0) + "the tool never touches: no force above zero; is it an air run (phase = air)?");
+  if (set.specimen.shape == "tube") {
+    const double z = run.point_mm[2];
+    if (!(z > 0 && z < set.specimen.size_mm[2])) list.push_back(set.file.string() + ": run " + run.id + ": the jaws miss the tube, which lies between 0 and " + number(set.specimen.size_mm[2]) + " mm; point_mm is the middle between them");
+    if (!(*std::max_element(run.u.begin(), run.u.end()) < set.specimen.size_mm[0] - 2 * set.specimen.wall_mm))
+      list.push_back(set.file.string() + ": run " + run.id + ": the jaws close to less than twice the declared wall; u is the declared outer diameter less the gap between the jaws");
+    return;
+  }
   if (set.specimen.shape.empty()) return;
   const double x = run.point_mm[0], y = run.point_mm[1], radius = set.tools.at(run.tool).radius_mm;
   const bool box = set.specimen.shape == "block";

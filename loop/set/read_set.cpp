@@ -33,6 +33,10 @@ Vec3 read_size(const Settings& s, const std::string& shape) {
     const double d = 2 * s.real("radius_mm", mm);
     return {d, d, s.real("height_mm", mm)};
   }
+  if (shape == "tube") {
+    const double d = s.real("diameter_mm", mm);
+    return {d, d, s.real("length_mm", mm)};
+  }
   if (shape == "ellipsoid") return 2.0 * s.vec3("radii_mm");
   if (s.has("size_mm")) return s.vec3("size_mm");
   const double height = s.real("height_mm", mm);
@@ -55,8 +59,9 @@ Specimen read_specimen(const Settings& s, const std::filesystem::path& folder) {
     specimen.case_file = folder / s.text("case");
     read_case_material(Settings::read(specimen.case_file), specimen);
   } else if (s.has("shape")) {
-    specimen.shape = s.choice("shape", {"block", "cylinder", "ellipsoid"});
+    specimen.shape = s.choice("shape", {"block", "cylinder", "ellipsoid", "tube"});
     specimen.size_mm = read_size(s, specimen.shape);
+    if (specimen.shape == "tube") specimen.wall_mm = s.real("wall_mm", {1e-3, specimen.size_mm[0] / 4});
     for (double edge : specimen.size_mm)
       if (!(edge > 0)) throw Failure(ExitCode::misuse, "the specimen has an edge that is not positive", s.where("shape"));
     if (s.has("base")) specimen.bonded = s.choice("base", {"bonded", "sliding"}) == "bonded";
@@ -155,7 +160,7 @@ void read_over(const Settings& s, const std::vector<std::string>& known, Set& se
 /// Tools that no closed form knows.
 void mark_unusable(Set& set) {
   for (Run& run : set.runs) {
-    if (run.test != Test::indentation || run.is_air() || run.is_block() || !set.specimen.case_file.empty()) continue;
+    if (run.test != Test::indentation || run.is_air() || run.is_block() || !set.specimen.case_file.empty() || set.specimen.shape == "tube") continue;
     const std::string& kind = set.tools.at(run.tool).kind;
     if (kind == "ball" || kind.starts_with("flat")) continue;
     run.role = Role::calibration;
@@ -167,14 +172,21 @@ Run read_run(const Settings& s, Set& set, int number) {
   Run run;
   run.file = set.file.parent_path() / s.text("file");
   run.id = s.text("id", run.file.stem().string());
-  if (s.has("test")) run.test = static_cast<Test>(std::find(test_names.begin(), test_names.end(), s.choice("test", test_names)) - test_names.begin());
+  if (s.has("test")) {
+    std::vector<std::string> names = test_names;
+    names.push_back("clamp");  // pressed like an indentation; the specimen is a tube
+    const std::string name = s.choice("test", names);
+    if ((name == "clamp") != (set.specimen.shape == "tube"))
+      throw Failure(ExitCode::misuse, "a clamp closes on a tube, and nothing else does", s.where("test"), "[specimen] shape = \"tube\", diameter_mm, length_mm, wall_mm");
+    if (name != "clamp") run.test = static_cast<Test>(std::find(test_names.begin(), test_names.end(), name) - test_names.begin());
+  }
   if (run.test == Test::indentation) {
     std::vector<std::string> names;
     for (const auto& [name, tool] : set.tools) names.push_back(name);
     if (names.empty()) throw Failure(ExitCode::misuse, "an indentation without a tool", s.where(), "[tool.NAME] kind = \"ball\", radius_mm");
     run.tool = s.has("tool") || names.size() > 1 ? s.choice("tool", names) : names.front();
     run.point_mm = s.vec3("point_mm", {0, 0, set.specimen.size_mm[2]});
-    run.axis = unit(s.vec3("axis", {0, 0, -1}));
+    run.axis = unit(s.vec3("axis", set.specimen.shape == "tube" ? Vec3{0, -1, 0} : Vec3{0, 0, -1}));
     read_zero(s, run);
   }
   run.order = static_cast<int>(s.integer("order", number, {0, 1e6}));
@@ -217,7 +229,8 @@ Set read_set(const std::filesystem::path& path) {
     const Settings tools = s.table("tool");
     for (const std::string& name : tools.keys()) {
       const Settings tool = tools.table(name);
-      set.tools[name] = {tool.text("kind"), tool.real("radius_mm", {1e-3, 1e3})};
+      const std::string kind = tool.text("kind");
+      set.tools[name] = kind == "jaws" ? Tool{kind, 0, tool.real("width_mm", 40, {1e-3, 1e3}), tool.real("length_mm", 10, {1e-3, 1e3})} : Tool{kind, tool.real("radius_mm", {1e-3, 1e3})};
     }
   }
   if (s.has("noise")) set.sensor_sd_N = read_known(s.table("noise"), "sensor_sd_N", {1e-12, 1e3});

@@ -24,13 +24,15 @@ struct Known {
 struct Tool {
   std::string kind;  ///< ball or flat_punch for the closed forms; any tool of palpate-solve for a case
   double radius_mm = 0;
+  double width_mm = 40, length_mm = 10;  ///< of a clamp's jaws ("jaws"), across the tube and along it
 };
 
 struct Specimen {
   std::string id;
   std::filesystem::path case_file;  ///< empty: a simple shape, or homogeneous tests alone
-  std::string shape;                ///< block, cylinder, ellipsoid or empty
-  Vec3 size_mm{0, 0, 0};            ///< block: edges; cylinder: diameter, diameter, height; ellipsoid: axes
+  std::string shape;                ///< block, cylinder, ellipsoid, tube (for a clamp) or empty
+  Vec3 size_mm{0, 0, 0};            ///< block: edges; cylinder, tube: diameter, diameter, height; ellipsoid: axes
+  double wall_mm = 0;               ///< of a tube, as declared
   bool bonded = true;               ///< the base; false: it slides without friction
   bool ring = false;                ///< the side is held by a ring
   std::string law = "neo_hookean";  ///< the null; "unknown": chosen by leave-one-run-out error
@@ -39,7 +41,8 @@ struct Specimen {
 
 enum class Role { fit, holdout, calibration };
 
-/// One file of measurements. Indentation: u in mm into the tissue, F in N, compression positive. Homogeneous tests: u is the
+/// One file of measurements. Indentation: u in mm into the tissue, F in N, compression positive; so is a clamp's closing (test = "clamp"), u = declared outer diameter
+/// less the gap between the jaws, point_mm the middle between them. Homogeneous tests: u is the
 /// stretch (amount of shear for simple_shear), F the nominal stress in MPa, tension positive. Without a column t, t counts samples.
 struct Run {
   std::string id, tool, zero = "geometry", replicate;
@@ -75,6 +78,7 @@ struct Set {
   Known compliance_mm_per_N, gain;
   double sync_error_s = 0;
   Known sensor_sd_N;  ///< absent: from air
+  std::vector<double> clamp_form_sd;  ///< of a clamp's solved curves: what they are off by, as its solves tell (loop/forward/clamp.hpp)
   std::map<std::string, Tool> tools;
   std::vector<Run> runs;
   std::vector<std::string> unknown_keys;  ///< "set.toml:12: key", read over

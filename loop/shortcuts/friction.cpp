@@ -13,6 +13,7 @@ Effect friction() {
   effect.separates = "lubricate, and repeat";
   effect.cost = 2;
   effect.needs_contact = true;
+  effect.on_clamp = true;
   effect.tissue = [](double e, std::span<const double>, Tissue& tissue) { tissue.friction += e; };
   return effect;
 }

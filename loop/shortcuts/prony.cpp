@@ -14,6 +14,7 @@ Effect prony() {
   effect.separates = "hold longer, at two depths; rest and repeat; a second radius";
   effect.grid = {{0.1}, {0.3}, {1}, {3}, {10}, {30}, {100}};
   effect.needs_time = true;
+  effect.on_clamp = true;
   effect.tissue = [](double e, std::span<const double> shape, Tissue& tissue) { tissue.prony.push_back({e, shape[0]}); };
   return effect;
 }

@@ -58,7 +58,11 @@ Clamp read_clamp(const Settings& s, const ShellMesh& mesh) {
   c.mass = s.real("mass_g", c.mass * 1e6, {1e-6, 1e9}) * 1e-6;
   c.jaw_damping = s.real("damping_N_s_mm", 0, {0, 1e6});
   c.speed = s.real("speed_mm_s", c.speed, {1e-6, 1e6});
-  if (c.pressure && s.has("speed_mm_s")) throw Failure(ExitCode::misuse, "the jaw is driven by a pressure and by a motion", s.where("speed_mm_s"), "leave one out");
+  c.hold = s.real("hold_s", 0, {0, 1e6});
+  c.opens = s.flag("opens", false);
+  c.angle = s.real("angle_deg", 0, {-20, 20}) * M_PI / 180;
+  for (const char* key : {"speed_mm_s", "hold_s", "opens"})
+    if (c.pressure && s.has(key)) throw Failure(ExitCode::misuse, "the jaw is driven by a pressure and by a motion", s.where(key), "leave one out");
   return c;
 }
 
@@ -90,6 +94,7 @@ void read_steps(const Settings& settings, Case& c) {
     throw Failure(ExitCode::misuse, "a jaw that a pressure drives does not wait", s.where("kinetic_part"), "leave it out, or [clamp] speed_mm_s instead of pressure_MPa");
   c.frames = static_cast<int>(s.integer("frames", c.frames, {1, 10000}));
   c.rows = static_cast<int>(s.integer("rows", c.rows, {1, 1000000}));
+  c.works = static_cast<int>(s.integer("stress_works", 0, {0, 200}));
   c.keep_partial = s.flag("keep_partial", false);
 }
 

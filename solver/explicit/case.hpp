@@ -27,6 +27,7 @@ struct Case {
   double kinetic_part = 0;  ///< of the internal energy, that the jaws wait for; 0: they do not
   double settle = 0;        ///< s before the jaws begin: layers' tensions grow, the wall comes to rest
   int frames = 10, rows = 200;
+  int works = 0;            ///< moments of the closing for stress_works.csv
   bool keep_partial = false;
 };
 

@@ -42,7 +42,7 @@ Closing::Closing(Case& the_case, int threads)
   motion.damping = c.settle > 0 ? settling_damping : c.damping;
   clock_ = -c.settle;
   beds_stiffness_ = stiffness_per_mass(c.beds, c.wall);
-  end = c.duration > 0 ? c.duration : c.clamp.pressure ? pressure_duration : 1.1 * jaws.closing_time();
+  end = c.duration > 0 ? c.duration : c.clamp.pressure ? pressure_duration : c.clamp.opens ? jaws.motion_time() : 1.1 * jaws.closing_time() + c.clamp.hold;
 }
 
 void Closing::contact() {

@@ -74,11 +74,13 @@ Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
     const Vector3d back = j == 0 ? up : -up;
     jaws_[j].face = clamp.centre + middle * up + start_gap_ / 2 * back;
     jaws_[j].frame << along.cross(back).normalized(), along, back;
+    jaws_[j].frame = Eigen::AngleAxisd((j == 0 ? 0.5 : -0.5) * clamp.angle, along) * jaws_[j].frame;
     forces_[j].setZero();
   }
 }
 
 double Jaws::closing_time() const { return (start_gap_ - clamp_.gap) / clamp_.speed; }
+double Jaws::motion_time() const { return closing_time() * (clamp_.opens ? 2 : 1) + clamp_.hold; }
 
 double Jaws::kinetic() const { return clamp_.pressure ? 0.5 * clamp_.mass * velocity_ * velocity_ : 0; }
 
@@ -189,7 +191,8 @@ void Jaws::move(double clock, double pace, double dt) {
     velocity_ += dt * (push - closing_force() - clamp_.jaw_damping * velocity_) / clamp_.mass;
     travel_ += dt * velocity_;
   } else {
-    travel_ = farthest * smooth((clock + pace) / closing_time());
+    const double closing = closing_time(), now = clock + pace, back = clamp_.opens ? std::max(0.0, now - closing - clamp_.hold) : 0;
+    travel_ = farthest * smooth(std::min(now, closing - back) / closing);
     velocity_ = (travel_ - before) / dt;
   }
   if (travel_ >= farthest) travel_ = farthest, velocity_ = 0;

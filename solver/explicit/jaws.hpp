@@ -20,6 +20,9 @@ struct Clamp {
   std::vector<effects::Active> tractions;  ///< between jaws and wall, besides the pressure: friction, adhesion
   double friction() const;       ///< the coefficient of what holds on among them, for the summary
   double speed = 50;             ///< mm/s, of the motion: mean over the closing
+  double hold = 0;               ///< s at the gap, before the jaw opens again
+  bool opens = false;            ///< it goes back as it came
+  double angle = 0;              ///< radians between the faces, turned about the tube's direction; the gap is that of their middles
   std::optional<double> pressure;  ///< MPa on the upper jaw instead of a motion
   double mass = 3e-5;            ///< tonne
   double jaw_damping = 0;        ///< N s/mm against the jaw's velocity
@@ -34,6 +37,7 @@ class Jaws {
   double gap() const { return start_gap_ - travel_; }
   double travel() const { return travel_; }
   double closing_time() const;  ///< s, of a prescribed motion
+  double motion_time() const;   ///< s, with what follows: the hold, the opening
   double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
 
   /// Finds the nodes and triangles that may touch before the wall has moved by its longest edge.

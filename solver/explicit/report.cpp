@@ -8,6 +8,7 @@
 
 #include <palpate/text_file.hpp>
 #include <solver/explicit/closing.hpp>
+#include <solver/explicit/stress_works.hpp>
 #include <solver/restart.hpp>
 
 namespace palpate::explicit_shell {
@@ -18,11 +19,13 @@ struct Report {
   std::filesystem::path folder;
   std::string history, frames;
   int frame_count = 0, crossing_pairs = 0;
-  double peak_force = 0, last_force = 0;
+  double peak_force = 0, last_force = 0, farthest = 0;
   Row last;
   std::vector<std::string> files;  ///< frames written
+  StressWorks works;
 
-  explicit Report(Closing& closing_, std::filesystem::path folder_) : closing(closing_), folder(std::move(folder_)) {
+  explicit Report(Closing& closing_, std::filesystem::path folder_)
+      : closing(closing_), folder(std::move(folder_)), works(closing.c.works, closing.jaws.start_gap() - closing.c.clamp.gap) {
     std::filesystem::create_directories(folder / "frames");
     history = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations,gap[mm],self_area[mm2],step[s],kinetic[mJ],internal[mJ],contact[mJ],damping[mJ],external[mJ]\n";
   }
@@ -36,10 +39,12 @@ struct Report {
     history += line.str() + "\n";
     peak_force = std::max(peak_force, r.closing_force);
     last_force = r.closing_force;
+    farthest = std::max(farthest, r.travel);
+    works.look(closing.c.wall, closing.motion.state, r.travel);
     last = r;
   }
 
-  void keep(Archive& a) { a(closing, history, frames, frame_count, crossing_pairs, peak_force, last_force, last, files); }
+  void keep(Archive& a) { a(closing, history, frames, frame_count, crossing_pairs, peak_force, last_force, farthest, last, files, works); }
 
   void write_frame(const Row& r) {
     const Wall& wall = closing.c.wall;
@@ -75,7 +80,7 @@ struct Report {
     s["thickness_mm"] = {*std::min_element(wall.thickness.begin(), wall.thickness.end()), *std::max_element(wall.thickness.begin(), wall.thickness.end())};
     s["clamp"] = {{"start_gap_mm", closing.jaws.start_gap()}, {"stop_gap_mm", closing.c.clamp.gap}, {"width_mm", closing.c.clamp.width}, {"length_mm", closing.c.clamp.length},
                   {"friction", closing.c.clamp.friction()}, {"drive", closing.c.clamp.pressure ? "pressure" : "motion"}};
-    s["depth_mm"] = {{"asked", closing.jaws.start_gap() - closing.c.clamp.gap}, {"reached", closing.jaws.travel()}};
+    s["depth_mm"] = {{"asked", closing.jaws.start_gap() - closing.c.clamp.gap}, {"reached", farthest}};
     s["peak_force_N"] = peak_force;
     s["last_force_N"] = last_force;
     s["max_von_mises_MPa"] = most(&TriangleState::von_mises);
@@ -114,6 +119,7 @@ struct Report {
   Json finish() {
     write_text(folder / "history.csv", history);
     write_text(folder / "frames.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + frames + "  </Collection>\n</VTKFile>\n");
+    if (closing.c.works > 0) write_text(folder / "stress_works.csv", works.csv());
     write_jaws();
     const Json facts = summary();
     write_text(folder / "summary.json", facts.dump(2) + "\n");

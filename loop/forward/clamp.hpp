@@ -1,0 +1,77 @@
+// A tube closed between jaws: the force over closure as palpate-solve has it, and what effects change of it, all from whole runs.
+// u = declared diameter − gap between the jaws. F(u) = m (F₀ + ε) exp(Σ changes of ln(F + ε)) − mε, m the modulus over that of the solves, ε half a percent of the largest
+// force; each change is a parabola through none and two amplitudes that were solved. F₀ closing and opening differ where the wall rubs or damps: between
+// them goes s = ±1, which follows the motion over 5 % of the closure. Relaxation: F(t) = F₀ Σ_k r_k(t) F(u, k) / Σ_k h_k(u) F(u, k), F(j, k) the force of the stresses of closure k in
+// the shape of closure j (solver/explicit/stress_works.hpp), h the hats of the moments k, r = ∫ G(t − s) dh(u(s)).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Dense>
+#include <array>
+
+#include <loop/forward/tissue.hpp>
+
+namespace palpate::loop {
+
+/// A function of closure at even places; straight between them, constant beyond.
+struct EvenCurve {
+  double low_mm = 0, step_mm = 1;
+  std::vector<double> values;
+  double at(double u_mm) const;
+};
+
+/// Forces, or changes of ln(F + ε), on the way in and out.
+struct BothWays {
+  EvenCurve closing, opening;
+  double at(double u_mm, double s) const { return 0.5 * (1 + s) * closing.at(u_mm) + 0.5 * (1 - s) * opening.at(u_mm); }
+};
+
+/// What an effect changes, solved at two amplitudes (one: a straight line).
+struct Change {
+  std::vector<double> amplitudes;
+  std::vector<BothWays> changes;
+  double at(double amplitude, double u_mm, double s) const;
+};
+
+/// A slice of the tube, from `from` to `to` mm along it, whose wall was made thicker and thinner: changes over ln(1 + excess).
+struct Slice {
+  double from = 0, to = 0;
+  Change thicker;
+};
+
+/// One place of the jaws.
+struct ClampSite {
+  Vec3 point_mm{0, 0, 0};
+  BothWays force;                            ///< N, at the start parameters: mean of ln(F + ε) over its meshes
+  int index = 0;                             ///< among the sites
+  Change friction, angle;                    ///< over μ, and degrees between the jaws
+  std::vector<Slice> slices;
+  std::vector<std::pair<int, Change>> laws;  ///< over ln of a law's further parameters, by index
+  std::vector<double> moments_mm;
+  Eigen::MatrixXd works;                     ///< F(j, k), N
+};
+
+/// Places of the curve's own error, shares of the deepest closure, denser where the wall meets itself; between them it is straight.
+inline constexpr std::array<double, 10> form_places = {0, 0.1, 0.2, 0.35, 0.5, 0.65, 0.77, 0.87, 0.94, 1};
+inline constexpr std::size_t forms_of_site = 2 * form_places.size();  ///< closing, then opening
+
+/// Everything solved of a set's clamp.
+struct ClampCurves {
+  double deepest_mm = 0, small_N = 0;        ///< ε
+  std::vector<double> form_sd;               ///< of ln(F + ε) at the places of each site: what meshes differ by
+  std::vector<double> parameters;            ///< of the law, in the solves
+  std::vector<ClampSite> sites;
+  int solves = 0, reused = 0;
+  const ClampSite& site(const Vec3& point_mm) const;
+};
+
+/// Forces at closures `u_mm` at times `t_s`; `form`: the curves' own errors as form_sd orders them, or nothing. No compliance.
+struct ClampHistory {
+  const std::vector<double>& t_s;
+  const std::vector<double>& u_mm;
+};
+std::vector<double> clamp_force(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& form, const ClampHistory& history);
+
+/// The elastic force alone; s as above.
+double clamp_elastic(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& form, double u_mm, double s);
+
+}  // namespace palpate::loop
