@@ -8,8 +8,7 @@
 
 #include <palpate/card.hpp>
 #include <palpate/errors.hpp>
-#include <palpate/mesh_files.hpp>
-#include <palpate/text_file.hpp>
+#include <loop/forward/clamp_closing.hpp>
 #include <loop/forward/process.hpp>
 #include <loop/methods/parallel.hpp>
 #include <loop/methods/session.hpp>
@@ -25,58 +24,6 @@ constexpr double grid_mm = 0.1, smoothed_mm = 0.2; ///< of the closures; half wi
 constexpr double reach_mm = 24, slice_mm = 8;      ///< along the tube, from the jaws' middle
 constexpr double solved_MPa = 0.25;                ///< initial shear modulus of the solves: forces at rest are proportional to it, and stiffer walls come to rest sooner
 constexpr double small_share = 0.005;
-constexpr double ahead_mm = 1.5;                   ///< jaws start so much farther apart than the declared diameter: a thicker wall is touched earlier
-
-/// What one solve is of.
-struct Job {
-  double edge_mm = edges_mm[1], friction = 0, angle_deg = 0;
-  double from = 0, to = 0, excess = 0;  ///< of a slice, along the tube from its end
-  int parameter = -1;                   ///< of the law, times 1.5
-  double speed_mm_s = 200;              ///< slower where the wall swings too much
-  bool works = false;
-};
-
-struct Bench {
-  const Set& set;
-  const Model start;  ///< with the modulus of the solves
-  fs::path kept, mesh_program, tube_program, solver;
-  std::string version;  ///< hash of the solver
-  double deepest_mm;
-  int& solves;
-  int& reused;
-};
-
-void run_program(const fs::path& program, const std::vector<std::string>& words, const fs::path& log) {
-  if (run_logged(program, words, log) != 0) throw Failure(ExitCode::not_converged, program.filename().string() + " fails for the clamp: " + read_text(log), log.string());
-}
-
-std::string number(double x) {
-  std::ostringstream out;
-  out.precision(9);
-  out << x;
-  return out.str();
-}
-
-double stop_gap(const Bench& b) { return b.set.specimen.size_mm[0] - b.deepest_mm; }
-
-/// What is solved, in words that also name it: everything a result hangs on.
-std::string case_text(const Bench& b, const Run& run, const Job& job) {
-  const Tool& jaws = b.set.tools.at(run.tool);
-  const Specimen& s = b.set.specimen;
-  std::ostringstream out;
-  out.precision(9);
-  out << "# tube " << s.size_mm[0] << " x " << s.size_mm[2] << " mm, wall " << s.wall_mm << " mm, edges " << job.edge_mm << " mm";
-  if (job.excess != 0) out << ", from " << job.from << " to " << job.to << " mm " << 1 + job.excess << " times as thick";
-  out << "; solver " << b.version << "\nschema = \"palpate-case/1\"\nscheme = \"explicit\"\n[material]\nlaw = \"" << b.start.law->name << "\"\n";
-  for (std::size_t i = 0; i < b.start.parameters.size(); ++i)
-    out << b.start.law->parameters[i].name << " = " << b.start.parameters[i] * (static_cast<int>(i) == job.parameter ? 1.5 : 1) << "\n";
-  out << "[clamp]\ncentre_mm = [" << run.point_mm[0] << ", " << run.point_mm[1] << ", " << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2]
-      << "]\nwidth_mm = " << jaws.width_mm << "\nlength_mm = " << jaws.length_mm << "\nspeed_mm_s = " << job.speed_mm_s << "\nopens = true\nhold_s = 0.06\nopen_mm = " << s.size_mm[0] + ahead_mm
-      << "\ngap_mm = " << stop_gap(b) << "\nangle_deg = " << job.angle_deg << "\n";
-  if (job.friction > 0) out << "friction = " << job.friction << "\nself_friction = " << job.friction << "\n";
-  out << "[steps]\nframes = 1\nrows = 240\nkinetic_part = 0.05\n" << (job.works ? "stress_works = 80\n" : "");
-  return out.str();
-}
 
 Model solved_model(const Set& set) {
   Model model = start_model(set, set.specimen.law);
@@ -84,55 +31,6 @@ Model solved_model(const Set& set) {
   for (std::size_t i = 0; i < model.parameters.size(); ++i)
     if (model.law->parameters[i].unit == "MPa") model.parameters[i] *= ratio;
   return model;
-}
-
-fs::path wall_file(const Bench& b, const Run& run, const Job& job, const fs::path& folder) {
-  const Specimen& s = b.set.specimen;
-  const fs::path tube = folder / "tube.vtp", wall = folder / "wall.vtu", log = folder / "log.txt";
-  run_program(b.tube_program, {tube.string(), "--diameter", number(s.size_mm[0]), "--length", number(s.size_mm[2]), "--edge", "1.5", "--quiet"}, log);
-  const std::string at = number(run.point_mm[0]) + "," + number(run.point_mm[1]) + "," + number(run.point_mm[2]);
-  for (double coarser : {1.4, 1.5, 1.3}) {  // of the edges elsewhere; palpate-mesh refuses what misses its limits
-    try {
-      run_program(b.mesh_program, {tube.string(), wall.string(), "--kind", "shell", "--thickness", number(s.wall_mm), "--offset", number(-s.wall_mm / 2), "--edge",
-                                   number(coarser * job.edge_mm), "--focus=" + at, "--focus-edge", number(job.edge_mm), "--focus-radius", "10", "--quiet"}, log);
-      break;
-    } catch (const Failure&) {
-      if (coarser == 1.3) throw;
-    }
-  }
-  if (job.excess == 0) return wall;
-  ShellMesh mesh = read_shells(wall);
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)  // half of what changes lies on either side of the slice's end
-    mesh.thickness_mm[i] *= 1 + job.excess * std::clamp(std::min(mesh.points[i][2] - job.from, job.to - mesh.points[i][2]) + 0.5, 0.0, 1.0);
-  write_shells(wall, mesh);
-  return wall;
-}
-
-/// The folder of a solve, run or kept.
-fs::path solved(const Bench& b, const Run& run, Job job) {
-  const std::string text = case_text(b, run, job);  // asked; the case may be slower
-  const fs::path folder = b.kept / sha256_of_bytes(text).substr(0, 16), result = folder / "result";
-  if (fs::exists(result / "history.csv") && read_text(folder / "asked.toml") == text) {
-    ++b.reused;
-    return result;
-  }
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  const fs::path wall = wall_file(b, run, job, folder);
-  for (double speed : {200.0, 100.0, 50.0}) {
-    job.speed_mm_s = speed;
-    write_text(folder / "case.toml", case_text(b, run, job));
-    try {
-      run_program(b.solver, {(folder / "case.toml").string(), result.string(), "--mesh", wall.string(), "--quiet", "--threads=1"}, folder / "log.txt");
-      break;
-    } catch (const Failure&) {
-      if (speed == 50) throw;
-    }
-  }
-  fs::remove_all(result / "frames");
-  write_text(folder / "asked.toml", text);
-  ++b.solves;
-  return result;
 }
 
 /// Means of the samples within `smoothed_mm`, or between the neighbours where there are none.
@@ -163,7 +61,7 @@ EvenCurve even(std::vector<std::pair<double, double>> points, double low, double
 BothWays curves_of(const Bench& b, const fs::path& result) {
   const CsvTable table = read_csv(result / "history.csv");
   const auto gap = table.numbers("gap", "mm"), F = table.numbers("F", "N");
-  const double closed = stop_gap(b) + 1e-6;
+  const double closed = b.stop_gap_mm() + 1e-6;
   std::vector<std::pair<double, double>> in, out;
   double rest = 0;
   int resting = 0;
@@ -197,24 +95,24 @@ EvenCurve mean_of(const std::vector<BothWays>& all, EvenCurve BothWays::*way, do
 }
 
 /// Everything that is solved of a site, in this order: the meshes, friction, angle, the law's parameters, slices.
-std::vector<Job> jobs_of(const Bench& b, const Run& run) {
-  std::vector<Job> jobs;
+std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
+  std::vector<Closing> jobs;
   for (double edge : edges_mm) jobs.push_back({.edge_mm = edge, .works = jobs.empty()});
-  for (double mu : {0.2, 0.5}) jobs.push_back({.friction = mu});
-  for (double angle : {2.0, 4.0}) jobs.push_back({.angle_deg = angle});
+  for (double mu : {0.2, 0.5}) jobs.push_back({.edge_mm = edges_mm[1], .friction = mu});
+  for (double angle : {2.0, 4.0}) jobs.push_back({.edge_mm = edges_mm[1], .angle_deg = angle});
   for (int i = 1; i < static_cast<int>(b.start.parameters.size()); ++i)
-    if (b.start.parameters[i] > 0) jobs.push_back({.parameter = i});
-  const double length = b.set.specimen.size_mm[2], most = 0.5 * stop_gap(b) / b.set.specimen.wall_mm - 1.05;  // what still fits between the jaws
+    if (b.start.parameters[i] > 0) jobs.push_back({.edge_mm = edges_mm[1], .parameter = i});
+  const double length = b.set.specimen.size_mm[2], most = 0.5 * b.stop_gap_mm() / b.set.specimen.wall_mm - 1.05;  // what still fits between the jaws
   const double thick = std::clamp(most, 0.1, 0.4);
   for (double from = 0; from < length - 1e-6; from += slice_mm) {
     const double to = std::min(from + slice_mm, length);
     if (to < run.point_mm[2] - reach_mm || from > run.point_mm[2] + reach_mm) continue;
-    for (double excess : {-0.2, thick}) jobs.push_back({.from = from, .to = to, .excess = excess});
+    for (double excess : {-0.2, thick}) jobs.push_back({.edge_mm = edges_mm[1], .from = from, .to = to, .excess = excess});
   }
   return jobs;
 }
 
-ClampSite site_of(const Bench& b, const Run& run, const std::vector<Job>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares) {
+ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares) {
   ClampSite site;
   site.point_mm = run.point_mm;
   std::vector<BothWays> all;
@@ -229,7 +127,7 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Job>& jobs, 
       site_squares.push_back(squares / (std::size(edges_mm) - 1));
     }
   for (std::size_t i = std::size(edges_mm); i < jobs.size(); ++i) {
-    const Job& job = jobs[i];
+    const Closing& job = jobs[i];
     Change* of = job.friction > 0 ? &site.friction : &site.angle;
     double amplitude = job.friction > 0 ? job.friction : job.angle_deg;
     if (job.parameter >= 0) {
@@ -273,7 +171,9 @@ std::vector<double> pooled(const std::vector<double>& squares) {
 
 bool is_clamp(const Set& set) { return set.specimen.shape == "tube"; }
 
-ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, const std::function<void(const std::string&)>& remark) {
+namespace {
+
+ClampCurves solved_in(const Set& set, const fs::path& kept, int threads, const std::function<void(const std::string&)>& remark) {
   ClampCurves curves;
   double deepest = 0;
   std::vector<const Run*> places;
@@ -281,17 +181,20 @@ ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, cons
     deepest = std::max(deepest, *std::max_element(run.u.begin(), run.u.end()));
     if (std::none_of(places.begin(), places.end(), [&](const Run* p) { return norm(p->point_mm - run.point_mm) < 1e-6; })) places.push_back(&run);
   }
-  Bench b{set, solved_model(set), kept, beside("palpate-mesh"), beside("palpate-idealize"), beside("palpate-solve"), "", deepest, curves.solves, curves.reused};
+  Bench b{set, solved_model(set), kept, beside("palpate-mesh"), beside("palpate-idealize"), beside("palpate-solve"), "", deepest};
   if (b.solver.empty() || b.mesh_program.empty() || b.tube_program.empty())
     throw Failure(ExitCode::refused, "curves of a clamp come from palpate-solve, palpate-mesh and palpate-idealize, which are not beside this program", set.file.string());
   b.version = sha256(b.solver).substr(0, 12);
   curves.parameters = b.start.parameters;
-  std::vector<std::pair<const Run*, Job>> todo;
+  std::vector<std::pair<const Run*, Closing>> todo;
   for (const Run* run : places)
-    for (const Job& job : jobs_of(b, *run)) todo.push_back({run, job});
+    for (const Closing& job : jobs_of(b, *run)) todo.push_back({run, job});
   std::vector<fs::path> results(todo.size());
+  std::atomic<int> ran = 0;
   remark("curves of the clamp: " + std::to_string(todo.size()) + " closings of the wall");
-  for_each_index(static_cast<int>(todo.size()), threads, [&](int i) { results[i] = solved(b, *todo[i].first, todo[i].second); });
+  for_each_index(static_cast<int>(todo.size()), threads, [&](int i) { results[i] = closed(b, *todo[i].first, todo[i].second, ran); });
+  curves.solves = ran;
+  curves.reused = static_cast<int>(todo.size()) - ran;
   const auto first = curves_of(b, results[0]).closing;
   curves.small_N = small_share * *std::max_element(first.values.begin(), first.values.end());
   curves.deepest_mm = deepest;
@@ -305,6 +208,22 @@ ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, cons
   }
   curves.form_sd = pooled(squares);
   return curves;
+}
+
+}  // namespace
+
+ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, const std::function<void(const std::string&)>& remark) {
+  if (!kept.empty()) return solved_in(set, kept, threads, remark);
+  std::string name = (fs::temp_directory_path() / "palpate-solves-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw Failure(ExitCode::unreadable, "cannot make a folder for solves", name, "--solves FOLDER");
+  const struct Goes {
+    fs::path folder;
+    ~Goes() {
+      std::error_code ignored;
+      fs::remove_all(folder, ignored);
+    }
+  } goes{name};
+  return solved_in(set, name, threads, remark);
 }
 
 }  // namespace palpate::loop

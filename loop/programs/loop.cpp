@@ -13,8 +13,6 @@
 #include <loop/report/report.hpp>
 #include <loop/set/thinned.hpp>
 
-#include <unistd.h>
-
 #include <chrono>
 
 using namespace palpate;
@@ -53,23 +51,10 @@ void solves_option(Usage& u) {
   u.text("solves", "", "folder that keeps the closings that were solved of a clamp, for the next call; without it every call solves its own");
 }
 
-/// Where solves go: the folder asked for, or one that goes again.
-struct Solves {
-  explicit Solves(const std::string& asked)
-      : folder(asked.empty() ? fs::temp_directory_path() / ("palpate-solves-" + std::to_string(getpid())) : fs::path(asked)), goes(asked.empty()) {}
-  ~Solves() {
-    std::error_code ignored;
-    if (goes) fs::remove_all(folder, ignored);
-  }
-  fs::path folder;
-  bool goes;
-};
-
 /// The curves of a clamp, or nothing where there is none.
 std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set) {
   if (!loop::is_clamp(set)) return nullptr;
-  const Solves solves(c.text("solves"));
-  auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, solves.folder, c.threads(), [&](const std::string& remark) { c.say(remark); }));
+  auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, c.text("solves"), c.threads(), [&](const std::string& remark) { c.say(remark); }));
   set.clamp_form_sd = curves->form_sd;
   return curves;
 }
