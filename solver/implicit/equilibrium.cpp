@@ -215,7 +215,7 @@ Equilibrium::Trial Equilibrium::trial_from(const State& state, double time) cons
 bool Equilibrium::stable(const Trial& trial) {
   if (trial.iterations == 0 || !tangent_.symmetric()) return true;
   if (!factor_near_ && !renew_factor()) return false;
-  if (factor_.negative_pivots() == free_pressures_) return true;
+  if (factor_.has_negative_pivots(tangent_, free_pressures_)) return true;
   trouble_ = {"the equilibrium is not stable (the load may be beyond a limit point): try smaller steps or less depth", model_.points.front(),
               Cause::beyond_limit_point};
   return false;

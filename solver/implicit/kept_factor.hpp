@@ -1,11 +1,13 @@
 // Newton's linear equations K x = b by a factor that is kept: while K changes little, GMRES with the last factor as its preconditioner
-// is cheaper than the next one. (Keyes and Knoll 2004, J. Comput. Phys. 193:357, on lagged preconditioners.)
+// is cheaper than the next one. (Keyes and Knoll 2004, J. Comput. Phys. 193:357, on lagged preconditioners.) A factor that GMRES refines
+// anyway is made in single precision. (Buttari, Dongarra, Kurzak, Luszczek, Tomov 2008, ACM Trans. Math. Softw. 34:17.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
 #include <vector>
 
 #include <solver/implicit/block_matrix.hpp>
+#include <solver/implicit/krylov.hpp>
 #include <solver/implicit/sparse_direct.hpp>
 #include <solver/implicit/work.hpp>
 
@@ -20,19 +22,21 @@ class KeptFactor {
   bool renew(const BlockMatrix& K);
   /// K is another from now on.
   void outdate() { current_ = false; }
-  /// Solves in place to `tolerance` of the residual, rows weighted by `weights`; exactly with a factor of K itself, which is made when there is
-  /// none or when this one has cost as much as another would. A tolerance of 1 asks for the factor at hand, whatever K is by now. False when K is singular.
+  /// Solves in place to `tolerance` of the residual, rows weighted by `weights`, or better. A factor of K itself is made when there is
+  /// none or when this one has cost as much as another would; in double precision where single does not lead there. A tolerance of 1 asks for the factor at hand, whatever K is by now. False when K is singular.
   bool solve(const BlockMatrix& K, const Eigen::VectorXd& weights, double tolerance, Eigen::VectorXd& x);
   /// Back-substitution, column by column, whatever K is by now.
   void apply(Eigen::Ref<Eigen::MatrixXd> x) { solver_.solve(x); }
-  /// Of the matrix factored last, if symmetric.
-  int negative_pivots() const { return solver_.negative_pivots(); }
+  /// Whether the matrix factored last, if symmetric, has that many negative eigenvalues; where single precision says no, double decides, of K.
+  bool has_negative_pivots(const BlockMatrix& K, int count);
 
   const Work& work() const { return work_; }
   int worth() const { return solver_.worth(); }
   void keep(Archive& archive);
 
  private:
+  Krylov refine(const BlockMatrix& K, const Eigen::VectorXd& weights, double tolerance, int most, Eigen::VectorXd& x);
+
   std::vector<char> fixed_;
   bool keep_;
   int threads_;

@@ -1,4 +1,5 @@
-// Sparse factorisation by MUMPS: symmetric indefinite, L D Lᵀ, with its inertia; or general, L U.
+// Sparse factorisation by MUMPS: symmetric indefinite, L D Lᵀ, with its inertia; or general, L U. In double precision, or in single: half of
+// the time and of the memory, for what is refined afterwards.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Dense>
@@ -9,10 +10,13 @@
 
 namespace palpate::implicit {
 
+enum class Precision { full, single };
+
 class SparseDirect {
  public:
-  /// Analyses the pattern, one-based; of a symmetric matrix the lower triangle. The ordering is PORD's: SCOTCH's differs between runs.
-  SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, bool symmetric, int threads);
+  /// Analyses the pattern, one-based; of a symmetric matrix the lower triangle. Unknowns come node by node, four each; METIS orders the nodes
+  /// (Karypis and Kumar 1998, SIAM J. Sci. Comput. 20:359), alike in every run.
+  SparseDirect(int unknowns, std::vector<int> rows, std::vector<int> columns, bool symmetric, int threads, Precision precision = Precision::full);
   ~SparseDirect();
   SparseDirect(SparseDirect&&) noexcept;
   SparseDirect& operator=(SparseDirect&&) noexcept;
@@ -21,6 +25,7 @@ class SparseDirect {
   bool factor(const std::vector<double>& values);
   /// The pattern and the values factored last; read back, they are analysed and factored again: the same solutions to the bit.
   void keep(Archive& archive);
+  Precision precision() const { return precision_; }
   /// Negative eigenvalues of the last factored matrix, if symmetric (Sylvester).
   int negative_pivots() const;
   /// What a factorisation costs, in solutions, by the analysis' counts of operations and of entries.
@@ -30,6 +35,7 @@ class SparseDirect {
 
  private:
   struct Mumps;
+  Precision precision_;
   std::unique_ptr<Mumps> mumps_;
 };
 
