@@ -51,8 +51,8 @@ struct Case {
 /// The mesh in the model's rest shape.
 TetMesh rest_mesh(const Case& c);
 
-/// Nodes of the surface and centroids of its faces, at rest or deformed by `state`, mm.
-std::vector<Eigen::Vector3d> surface_points(const Case& c, const implicit::State* state);
+/// The surface, at rest or deformed by `state`, mm.
+std::vector<std::array<Eigen::Vector3d, 3>> surface_triangles(const Case& c, const implicit::State* state);
 
 /// Reads a case; `mesh_override` replaces its mesh unless empty. Throws Failure(misuse) for keys, values and names, with line;
 /// Failure(unreadable) for the mesh; Failure(misuse) when the base holds nothing or the tool misses the organ.

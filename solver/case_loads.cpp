@@ -154,7 +154,7 @@ contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
     if (given.effect.traction.respond && given.parameters[0] != 0 && (given.tool == 0 || given.tool == static_cast<int>(c.model.tools.size()) + 1))
       tool.tractions.push_back(given);
   aim = eigen(settings.vec3("aim_mm"));
-  if (contact::find_first_contact(tool, aim, surface_points(c, nullptr))) return tool;
+  if (contact::find_first_contact(tool, aim, surface_triangles(c, nullptr))) return tool;
   Eigen::AlignedBox3d box;
   for (int node : boundary_nodes(c.mesh)) box.extend(c.model.points[node]);
   throw Failure(ExitCode::misuse, "the tool misses the organ: its line through " + text_mm(aim) + " does not meet it", settings.where("aim_mm"),
@@ -163,12 +163,13 @@ contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
 
 }  // namespace
 
-std::vector<Vector3d> surface_points(const Case& c, const implicit::State* state) {
-  std::vector<Vector3d> points;
-  const auto place = [&](int node) { return Vector3d(c.model.points[node] + (state ? state->displacement(node) : Vector3d::Zero())); };
-  for (int node : boundary_nodes(c.mesh)) points.push_back(place(node));
-  for (const auto& f : c.mesh.faces) points.push_back((place(f[0]) + place(f[1]) + place(f[2])) / 3);
-  return points;
+std::vector<std::array<Vector3d, 3>> surface_triangles(const Case& c, const implicit::State* state) {
+  std::vector<std::array<Vector3d, 3>> triangles;
+  for (const auto& face : c.model.faces) {
+    auto& corners = triangles.emplace_back();
+    for (int a = 0; a < 3; ++a) corners[a] = c.model.points[face[a]] + (state ? state->displacement(face[a]) : Vector3d::Zero());
+  }
+  return triangles;
 }
 
 std::vector<CatalogueEntry> load_entries() {
@@ -207,7 +208,7 @@ void take_tools_away(Case& c) {
 }
 
 void bring_tools(Case& c, const implicit::State& state) {
-  const auto surface = surface_points(c, &state);
+  const auto surface = surface_triangles(c, &state);
   for (std::size_t i = 0; i < c.model.tools.size(); ++i)
     if (!contact::find_first_contact(c.model.tools[i], c.aims_mm[i], surface))
       throw Failure(ExitCode::misuse, "under gravity the organ has sagged out of the tool's way", "", "aim lower");

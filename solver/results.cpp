@@ -77,6 +77,28 @@ double imbalance(const implicit::Model& model, const implicit::Assembly& assembl
   return largest > 0 ? sum.norm() / largest : 0;
 }
 
+implicit::State beginning(const Case& c) {
+  implicit::State state = implicit::rest_state(c.model);
+  state.time = c.settling.times.empty() ? c.steps.times.front() : c.settling.times.front();
+  return state;
+}
+
+Json energy_facts(const implicit::EnergyBalance& energy) {
+  const auto& work = energy.works();
+  const auto of = [&](implicit::Channel channel) { return work[static_cast<int>(channel)]; };
+  const auto& stored = energy.stored();
+  using enum implicit::Channel;
+  Json facts = {{"work", {{"tools", of(tools)}, {"held", of(held)}, {"loads", of(loads)}, {"supports", of(supports)}, {"growth", of(growth)}}},
+                {"stored", {{"layers", stored.layers}, {"springs", stored.springs}, {"contact", stored.contact}, {"elastic_slip", energy.in_slips()}}},
+                {"lost", {{"friction", of(friction) - energy.in_slips()}, {"adhesion", of(adhesion)}, {"jumps", energy.lost_in_jumps()}}},
+                {"remeshing", energy.by_remeshing()},
+                {"imbalance", energy.imbalance()},
+                {"quadrature_correction", energy.correction()}};
+  if (energy.tissue_remembers()) facts["stored_or_lost"]["tissue"] = of(tissue);
+  else facts["stored"]["tissue"] = stored.tissue;
+  return facts;
+}
+
 }  // namespace
 
 double patch_volume_change(const implicit::Model& model, const implicit::State& state) {
@@ -125,7 +147,7 @@ Driven driven(const Case& c, const implicit::Step& step) {
 }
 
 ResultFolder::ResultFolder(std::filesystem::path folder, const Case& the_case, const implicit::Assembly& assembly)
-    : folder_(std::move(folder)), case_(&the_case), assembly_(&assembly) {
+    : folder_(std::move(folder)), case_(&the_case), assembly_(&assembly), energy_(assembly, beginning(the_case)) {
   history_ = "t[s],depth[mm],Fx[N],Fy[N],Fz[N],F[N],contact_area[mm2],iterations";
   for (std::size_t i = 2; i <= case_->model.tools.size(); ++i)
     for (const char* column : {"Fx", "Fy", "Fz"}) history_ += "," + std::string(column) + std::to_string(i) + "[N]";
@@ -136,7 +158,7 @@ void ResultFolder::make_folders() const { std::filesystem::create_directory(fold
 
 void ResultFolder::keep(Archive& archive) {
   archive(history_, frames_, files_, frame_count_, iterations_, cuts_, drags_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
-          worst_penetration_, smallest_J_, patch_change_, remeshings_);
+          worst_penetration_, smallest_J_, patch_change_, energy_, remeshings_);
 }
 
 void ResultFolder::follow(const Case& the_case, const implicit::Assembly& assembly) {
@@ -145,12 +167,15 @@ void ResultFolder::follow(const Case& the_case, const implicit::Assembly& assemb
 }
 
 void ResultFolder::remeshed(Json facts, const implicit::Step& step) {
+  facts["energy_N_mm"] = energy_.remeshed(*assembly_, step.state, step.equations);
   remeshings_.push_back(facts.dump());
   iterations_ += step.iterations;
   worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step));
   worst_penetration_ = std::max(worst_penetration_, step.equations.contact.penetration);
   organs_ = step.equations.contact.organs;
 }
+
+void ResultFolder::accepted(const implicit::Accepted& found) { energy_.add(*assembly_, found); }
 
 void ResultFolder::settled(const implicit::Step& step) {
   iterations_ += step.iterations;
@@ -225,7 +250,9 @@ Json ResultFolder::finish(double time_reached) {
                   {"smallest_J", smallest_J_},
                   {"final_volume_change_of_patches_p99", patch_change_},
                   {"worst_penetration_of_element_size", worst_penetration_},
-                  {"worst_force_imbalance", worst_imbalance_}};
+                  {"worst_force_imbalance", worst_imbalance_},
+                  {"worst_energy_imbalance", energy_.worst_imbalance()},
+                  {"energy_N_mm", energy_facts(energy_)}};
   for (const auto& more : model.materials)
     if (model.materials.size() > 1) summary["materials"].push_back({{"law", more.law.entry.name}, {"parameters", numbers(more.law.entry, more.parameters)}});
   for (std::size_t i = 0; i < case_->contacts.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <palpate/json.hpp>
 #include <solver/archive.hpp>
 #include <solver/case.hpp>
+#include <solver/implicit/energy_balance.hpp>
 
 namespace palpate {
 
@@ -37,6 +38,8 @@ class ResultFolder {
   void follow(const Case& the_case, const implicit::Assembly& assembly);
   /// The last step's state is another now, of another mesh: `facts` of how that came.
   void remeshed(Json facts, const implicit::Step& step);
+  /// Every sub-step, for the balance of energy.
+  void accepted(const implicit::Accepted& found);
   /// Counts a step that has no row: gravity's.
   void settled(const implicit::Step& step);
   /// A row of the history; a frame too when it is time for one, or when `last`.
@@ -67,6 +70,7 @@ class ResultFolder {
   double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   std::vector<implicit::OrganSums> organs_;  ///< at the last step
   double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1, patch_change_ = 0;
+  implicit::EnergyBalance energy_;
   std::vector<std::string> remeshings_;  ///< facts of each, JSON
 };
 

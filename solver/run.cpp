@@ -39,9 +39,12 @@ Run::Run(Command& c)
       results_(folder_, *case_, equilibrium_->assembly()) {
   if (c.has("sensitivities")) {
     sensitivities_.emplace(settings_, mesh_, number_paths(c.text("sensitivities")), *equilibrium_, c.threads());
-    observe_ = [this](const implicit::State& found) { sensitivities_->follow(found); };
     for (const auto& remark : sensitivities_->remarks()) c.warn(remark);
   }
+  observe_ = [this](const implicit::Accepted& found) {
+    results_.accepted(found);
+    if (sensitivities_) sensitivities_->follow(found.state);
+  };
   restart_.emplace(c, folder_);
   if (auto bytes = restart_->read()) {
     Archive archive(std::move(*bytes));

@@ -1,13 +1,14 @@
 # Sixty generated indentations: who reaches full depth, who stops and why.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sixty indentations, three organs × seven tools × seven laws × nu from 0.3 to exactly 1/2 × friction 0, 0.3, 0.8, to 40 % of the organ's
-thickness under the tool: who reaches full depth, who stops and why, and whether forces balance. Numbers kept, not asserted.
+thickness under the tool: who reaches full depth, who stops and why, and whether forces and energy balance. Numbers kept, not asserted.
 
     python3 bench/robustness/indentations.py BIN FOLDER [remesh] [NUMBER ...]
 
 BIN: the folder of the executables (palpate-surface, palpate-mesh, palpate-solve); FOLDER: meshes, cases and table.csv; NUMBERs from 0 to 59: only
 these; remesh: with [remesh] in the cases, up to 3 000 nodes. table.csv: number, organ, tool, law, nu, friction, exit code, seconds, iterations, cuts, worst force imbalance, worst penetration (of a face),
-peak force (N), nodes, message. cases.jsonl: the same, one object a case, written as each ends. A case may take 240 s of processor time, after which it
+peak force (N), nodes, worst energy imbalance (of the largest work), message. A run whose forces are out of balance by more than 1e-3, or whose
+energy is by more than 1 %, is a wrong answer: it is told so and not counted as reached. cases.jsonl: the same, one object a case, written as each ends. A case may take 240 s of processor time, after which it
 is stopped and counts as not reached (exit code "time").
 """
 import json
@@ -25,7 +26,8 @@ NUS = [0.3, 0.4, 0.45, 0.49, 0.5]
 FRICTIONS = [0, 0.3, 0.8]
 LIMIT_S = 240  # of processor time, a case
 COLUMNS = ["number", "organ", "tool", "law", "nu", "friction", "exit", "seconds", "iterations", "cuts", "worst_force_imbalance", "worst_penetration",
-           "peak_force_N", "nodes", "message"]
+           "peak_force_N", "nodes", "worst_energy_imbalance", "message"]
+MOST_FORCE, MOST_ENERGY = 1e-3, 0.01  # imbalances, beyond which an answer is wrong
 
 
 def combination(number):
@@ -123,10 +125,12 @@ def main():
             if done.returncode == 0:
                 facts = json.loads((result / "summary.json").read_text())
                 row += [facts["iterations"], facts["cuts"], f"{facts['worst_force_imbalance']:.1e}", f"{facts['worst_penetration_of_element_size']:.4f}",
-                        f"{facts['peak_force_N']:.4g}", facts["nodes"], ""]
-                reached += 1
+                        f"{facts['peak_force_N']:.4g}", facts["nodes"], f"{facts['worst_energy_imbalance']:.1e}"]
+                balanced = facts["worst_force_imbalance"] <= MOST_FORCE and facts["worst_energy_imbalance"] <= MOST_ENERGY
+                row.append("" if balanced else "wrong: out of balance")
+                reached += balanced
             else:
-                row += ["", "", "", "", "", "", done.stderr.strip().replace("\n", " ").replace(",", ";")]
+                row += ["", "", "", "", "", "", "", done.stderr.strip().replace("\n", " ").replace(",", ";")]
             line = ",".join(str(v) for v in row)
             for file, text in ((table, line), (log, json.dumps(dict(zip(COLUMNS, row))))):
                 file.write(text + "\n")

@@ -1,6 +1,7 @@
 // What a contact point's pressure leaves open: g(t) = −w t/(A + t), linearised at the pressure that is carried (decision 021).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cmath>
 
 namespace palpate::contact {
 
@@ -17,6 +18,9 @@ struct GapLaw {
 
   /// The pressure that a gap asks for, to first order; not positive: the point is let go.
   double pressure(double carried, double measured) const { return carried + stiffness * (gap - measured); }
+
+  /// ∫ t d(−g) up to the pressure t: what the gap stores per area, N/mm.
+  static double energy(double t, double softness, double deepest) { return deepest * softness * (std::log1p(t / softness) - t / (softness + t)); }
 };
 
 }  // namespace palpate::contact

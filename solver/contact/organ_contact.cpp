@@ -119,6 +119,7 @@ PairPoint pair_point(const Meeting& meeting, const Triangle& own_rest, const Tri
   const double w = quadrature[meeting.q].weight * area_vector(own_rest).norm();
   // Where a trial state is deep inside, the pressure it asks for must not turn the forces: those terms stop there, as against a tool.
   const double turning = std::min(t, carried + 2 * softness);
+  point.energy = w * GapLaw::energy(t, softness, deepest);
   const Rows18 pressing = turning * by_n - law.stiffness * n * g;
   for (int a = 0; a < 3; ++a) {
     point.residual.segment<3>(3 * a) = w * t * N[a] * n;

@@ -40,6 +40,7 @@ struct PairPoint {
   double gap = 0;        ///< mm, negative inside
   double pressure = 0;   ///< MPa: what the gap asks for, to first order; 0 when the point is let go
   double stiffness = 0;  ///< −dt/dg, MPa/mm
+  double energy = 0;     ///< stored in the gap that the pressure leaves, N mm
   double mismatch = 0;   ///< |g − g(t)|/w: 0 at a solution
   Eigen::Vector3d normal;  ///< of the own face, outward
   Eigen::Matrix<double, 1, 18> gap_by_corners;

@@ -93,6 +93,7 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
       result.points[q] = {t, stiffness, d.n};
       result.mismatch = std::max(result.mismatch, std::abs(gap - d.g) / deepest);
       result.area += weight * now_area;
+      result.energy += weight * rest_area * GapLaw::energy(t, softness, deepest);
       // Where a trial state is deep inside the tool, the pressure it asks for must not bend the surface: the curvature term stops there.
       const double curving = std::min(t, carried + 2 * softness);
       traction = {t * d.n, curving * d.hessian - stiffness * d.n * d.n.transpose()};
@@ -107,6 +108,7 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
       const double seen = socket.reach ? std::max(0.0, -rest_normal.dot(d.n)) : 1;
       traction.value += seen * more.value;
       traction.by_place += seen * more.by_place;
+      if (socket.reach) result.points[q].cling += seen * more.value;
       if (socket.reach && seen > 0) traction.by_place -= more.value * (d.hessian * rest_normal).transpose();
       if (!socket.holds_on) continue;
       result.points[q].shear = more.value;
@@ -135,27 +137,6 @@ double next_pressure(const Point& point, int q, double before, const std::array<
   for (int a = 0; a < 3; ++a) step += quadrature[q].N[a] * corner_steps[a];
   const double after = std::max(0.0, point.pressure - point.stiffness * point.normal.dot(step));
   return before + length * (after - before);
-}
-
-bool find_first_contact(Tool& tool, const Vector3d& aim, const std::vector<Vector3d>& points) {
-  double back = 0, front = 0;  // how far the points reach along the axis, seen from the aim
-  for (const auto& x : points) {
-    back = std::max(back, (aim - x).dot(tool.axis));
-    front = std::max(front, (x - aim).dot(tool.axis));
-  }
-  const double touching = 1e-5 * (back + front);  // finer, and a tool that grazes the organ would creep along it
-  tool.first_contact = aim - (back + 1e-3 * (back + front)) * tool.axis;
-  double travel = 0;
-  while (travel <= 2 * (back + front)) {  // the distance is a safe step (sphere tracing, Hart 1996)
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& x : points) nearest = std::min(nearest, tool.distance(x, travel).g);
-    if (nearest <= touching) {
-      tool.first_contact += (travel + nearest) * tool.axis;
-      return true;
-    }
-    travel += std::max(nearest, touching);
-  }
-  return false;
 }
 
 std::vector<CatalogueEntry> entries() {

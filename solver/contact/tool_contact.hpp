@@ -70,6 +70,7 @@ struct Point {
   double stiffness = 0;  ///< −dt/dg, MPa/mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< out of the tool
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();   ///< of the tool on the organ, MPa
+  Eigen::Vector3d cling = Eigen::Vector3d::Zero();   ///< of what reaches out: of the tool on the organ, MPa
   bool slides = false;
 };
 
@@ -80,6 +81,7 @@ struct FaceContact {
   Eigen::Matrix<double, 9, 9> tangent = Eigen::Matrix<double, 9, 9>::Zero();
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the tool on the organ, N
   double area = 0;                                  ///< of the deformed face in contact, mm²
+  double energy = 0;                                ///< stored in the gaps that pressures leave, N mm
   std::array<Point, points_per_face> points;
   double penetration = 0;  ///< deepest point, of the face's size
   double mismatch = 0;     ///< largest |g − g(t)|/w of a point: 0 at a solution
@@ -97,8 +99,8 @@ Eigen::Vector3d place(const Tool& tool, const Pose& pose, const std::array<Eigen
 /// Edge of the equilateral triangle of the same area, mm: the local element size.
 double face_size(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// Moves the tool along its axis through `aim` to where it first touches the points; false when it passes them by.
-bool find_first_contact(Tool& tool, const Eigen::Vector3d& aim, const std::vector<Eigen::Vector3d>& points);
+/// Moves the tool along its axis through `aim` to where it first touches the triangles, be it between their corners; false when it passes them by.
+bool find_first_contact(Tool& tool, const Eigen::Vector3d& aim, const std::vector<std::array<Eigen::Vector3d, 3>>& surface);
 
 /// Parts of `palpate list`.
 std::vector<CatalogueEntry> entries();

@@ -17,6 +17,7 @@ MembraneSystem membrane_triangle(const effects::Active& active, const std::array
   for (int a = 0; a < 3; ++a) F += now[a] * gradients.col(a).transpose();
   const auto r = active.effect.layer.respond(F, active.parameters);
   MembraneSystem system;
+  system.energy = area * r.W;
   system.internal_force = area * r.A.norm() * gradients.norm();
   for (int a = 0; a < 3; ++a) {
     system.residual.segment<3>(3 * a) = area * r.N * gradients.col(a);

@@ -12,6 +12,7 @@ namespace palpate::elements {
 struct MembraneSystem {
   Eigen::Matrix<double, 9, 1> residual = Eigen::Matrix<double, 9, 1>::Zero();
   Eigen::Matrix<double, 9, 9> tangent = Eigen::Matrix<double, 9, 9>::Zero();
+  double energy = 0;          ///< N mm
   double internal_force = 0;  ///< size of the terms that cancel in the residual, N
 };
 

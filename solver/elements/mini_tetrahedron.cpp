@@ -61,6 +61,7 @@ struct Trial {
   Mat3 bb;   ///< ∂cof F/∂F has no part in it: it is antisymmetric
   Eigen::Vector3d rb;
   double stress_size;
+  double W;  ///< Σ W_s + p_s (J_s − 1)
   bool inverted;
 };
 
@@ -72,7 +73,7 @@ void try_bubble(Trial& t, const Tetrahedron& rest, const Material& material, con
   t.P.setZero();
   t.bb.setZero();
   t.rb = -0.25 * body_force.rowwise().sum();  // the bubble's mean over a sub-tetrahedron is 1/4
-  t.stress_size = 0;
+  t.stress_size = t.W = 0;
   t.inverted = false;
   const auto kinematics = material.law.kinematics;
   for (int s = 0; s < 4; ++s) {
@@ -89,6 +90,7 @@ void try_bubble(Trial& t, const Tetrahedron& rest, const Material& material, con
     flat(t.A) += flat(r.A);
     t.AG += AG;
     t.P += P;
+    t.W += r.W + p * t.volume[s].dilation;
     t.bb += along_rows<3>(g, AG);
     t.rb += along_rows<1>(g, P);
     t.stress_size += flat(r.P).norm() + std::abs(p) * t.volume[s].gradient.norm();
@@ -167,9 +169,10 @@ void add_geometric_stiffness(Trial& t, const Tetrahedron& rest) {
   }
 }
 
-/// ∫ N_a U*′(p) and its derivative ∫ N_a U*″(p) N_b, at four points that are exact for a quadratic U* (Hammer, Marlowe, Stroud
+/// ∫ U*(p), ∫ N_a U*′(p) and its derivative ∫ N_a U*″(p) N_b, at four points that are exact for a quadratic U* (Hammer, Marlowe, Stroud
 /// 1956).
 struct DilationTerm {
+  double energy = 0;
   Eigen::Vector4d value = Eigen::Vector4d::Zero();
   Eigen::Matrix4d derivative = Eigen::Matrix4d::Zero();
 };
@@ -181,6 +184,7 @@ DilationTerm dilation_term(const materials::VolumeEnergy& energy, const Eigen::V
     Eigen::Vector4d N = Eigen::Vector4d::Constant(far);
     N(q) = near;
     const auto [value, slope] = materials::dilation(energy, N.dot(p));
+    term.energy += volume / 4 * materials::dual(energy, N.dot(p), value);
     term.value += volume / 4 * value * N;
     term.derivative += volume / 4 * slope * N * N.transpose();
   }
@@ -253,6 +257,7 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
       K.block<4, 4>(4 * a, 4 * b) -= Kb.middleRows<4>(4 * a).lazyProduct(X.middleCols<4>(4 * b));
       if (b < a) K.block<4, 4>(4 * b, 4 * a) = K.block<4, 4>(4 * a, 4 * b).transpose();
     }
+  system.energy = quarter * trial.W - dilation.energy;
   system.internal_force = quarter * trial.stress_size * rest.gradients.norm();
   return system;
 }

@@ -44,6 +44,7 @@ struct ElementSystem {
   Vec16 residual;                                  ///< internal minus body force; N and mm³
   Mat16 tangent;                                   ///< condensed, symmetric
   double internal_force = 0;                       ///< size of the terms that cancel in the residual, N
+  double energy = 0;                               ///< the potential without body force, N mm; of a material with effects it is that of the step
   ElementFault fault = ElementFault::none;
 };
 

@@ -50,6 +50,7 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
       return;
     }
     squares += system.internal_force * system.internal_force;
+    equations.stored.tissue += system.energy;
     for (int a = 0; a < 4; ++a) equations.residual.segment<4>(4 * model_.tets[e][a]) += system.residual.segment<4>(4 * a);
     tangent.add_tet(e, system.tangent);
   };
@@ -69,6 +70,7 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
     }
   });
   equations.internal_force = std::sqrt(squares);
+  if (remembers(model_)) equations.tissue = equations.residual;
 }
 
 void Assembly::add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const {
@@ -76,6 +78,7 @@ void Assembly::add_loads(const State& state, Equations& equations, BlockMatrix& 
     equations.residual.segment<3>(4 * force.node) -= model_.amplitudes[force.amplitude].at(state.time) * force.value;
   for (const auto& spring : model_.springs) {
     equations.residual.segment<3>(4 * spring.node) += spring.stiffness * state.displacement(spring.node);
+    equations.stored.springs += spring.stiffness / 2 * state.displacement(spring.node).squaredNorm();
     Block block = Block::Zero();
     block.diagonal().head<3>().setConstant(spring.stiffness);
     tangent.add(spring.node, spring.node, block);
@@ -141,6 +144,7 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
     if (!contact.touched) continue;
+    equations.stored.contact += contact.energy;
     sum_up(index, contact, nodes, face, now, own);
     std::copy(contact.points.begin(), contact.points.end(), sums.points.begin() + first_point(index, f));
     for (int a = 0; a < 3; ++a) {

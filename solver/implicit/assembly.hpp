@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <solver/implicit/block_matrix.hpp>
+#include <solver/implicit/conjugates.hpp>
 #include <solver/implicit/model.hpp>
 
 namespace palpate::implicit {
@@ -44,9 +45,20 @@ struct Increment {
   std::vector<double> travels;
 };
 
+/// Energy of a state, N mm.
+struct Stored {
+  double tissue = 0;        ///< of laws without effects on the stress
+  double layers = 0;        ///< as far as they have grown
+  double grown_layers = 0;  ///< the same as if they were grown
+  double springs = 0;
+  double contact = 0;       ///< in the gaps that contact's pressures leave
+};
+
 struct Equations {
   Eigen::VectorXd residual;   ///< node by node: force (N) × 3, volume (mm³)
+  Eigen::VectorXd tissue;     ///< the elements' part of it; only of tissue that remembers
   double internal_force = 0;  ///< root of the sum of squares of the terms that cancel, N
+  Stored stored;
   ContactSums contact;
   std::vector<Eigen::VectorXd> pressure_forces;  ///< residuals of every face pressure at amplitude 1, N
   elements::ElementFault fault = elements::ElementFault::none;
@@ -71,6 +83,10 @@ class Assembly {
   Eigen::Vector3d tool_force_change(int tool, const State& state, const Eigen::VectorXd& step) const;
   /// Sum of gravity, body forces, nodal forces, pressures, springs and region forces on the organs, N.
   Eigen::Vector3d loads(const State& state) const;
+  /// What does work on the organs, and where what can be lost goes; forces are zero of empty equations.
+  Channels conjugates(const State& state, const Equations& equations) const;
+  /// What friction's elastic slip stores, N mm.
+  double stored_in_slips(const State& state) const;
   /// The tissue remembers `state`, which is accepted: its memory and memory_time become those of this state.
   void remember(State& state) const;
   /// Von Mises stress and J of every tetrahedron.
@@ -93,6 +109,12 @@ class Assembly {
   void add_organ_contact(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_pair(const PairPlace& place, Equations& equations, BlockMatrix& tangent) const;
   std::size_t first_point(int tool, int face) const;
+  Conjugates tool_conjugates(const State& state, const Equations& equations) const;
+  Conjugates load_conjugates(const State& state, const Equations& equations) const;
+  Conjugates support_conjugates(const State& state) const;
+  Conjugates cling_conjugates(const State& state, const Equations& equations) const;
+  Conjugates slip_conjugates(const State& state) const;
+  double body_potential(const State& state) const;
   contact::Face face_at(int tool, int face, const State& state) const;
   void add_contact(int tool, const State& state, Equations& equations, BlockMatrix& tangent) const;
 

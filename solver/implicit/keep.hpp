@@ -7,8 +7,8 @@
 namespace palpate::contact {
 
 inline void keep(Archive& a, Slip& x) { a(x.place, x.shear); }
-inline void keep(Archive& a, Point& x) { a(x.pressure, x.stiffness, x.normal, x.shear, x.slides); }
-inline void keep(Archive& a, PairPoint& x) { a(x.gap, x.pressure, x.stiffness, x.mismatch, x.normal, x.gap_by_corners, x.residual, x.tangent); }
+inline void keep(Archive& a, Point& x) { a(x.pressure, x.stiffness, x.normal, x.shear, x.cling, x.slides); }
+inline void keep(Archive& a, PairPoint& x) { a(x.gap, x.pressure, x.stiffness, x.energy, x.mismatch, x.normal, x.gap_by_corners, x.residual, x.tangent); }
 
 }  // namespace palpate::contact
 
@@ -22,6 +22,7 @@ inline void keep(Archive& a, OrganSums& x) { a(x.force, x.area); }
 inline void keep(Archive& a, PairPlace& x) { a(x.at, x.nodes, x.point); }
 inline void keep(Archive& a, ContactSums& x) { a(x.tools, x.penetration, x.mismatch, x.points, x.organs, x.pairs); }
 inline void keep(Archive& a, Stride& x) { a(x.done, x.part, x.easy); }
-inline void keep(Archive& a, Equations& x) { a(x.residual, x.internal_force, x.contact, x.pressure_forces, x.fault, x.faulty_tet); }
+inline void keep(Archive& a, Stored& x) { a(x.tissue, x.layers, x.grown_layers, x.springs, x.contact); }
+inline void keep(Archive& a, Equations& x) { a(x.residual, x.tissue, x.internal_force, x.stored, x.contact, x.pressure_forces, x.fault, x.faulty_tet); }
 
 }  // namespace palpate::implicit

@@ -32,6 +32,12 @@ bool has_force_control(const Model& model) {
   return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.force_controlled; });
 }
 
+bool remembers(const Model& model) {
+  return std::any_of(model.materials.begin(), model.materials.end(), [](const auto& material) { return !material.effects.empty(); });
+}
+
+double grown_part(double time) { return std::clamp(1 + time, 0.0, 1.0); }
+
 namespace {
 
 /// A pressure that follows its faces has a potential when they close a surface, or when the edge of their patch is held. (Bufler 1984,

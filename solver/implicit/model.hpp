@@ -98,6 +98,12 @@ bool has_friction(const Model& model);
 
 bool has_force_control(const Model& model);
 
+/// Whether effects on the stress are about, whose energy is not told by a state.
+bool remembers(const Model& model);
+
+/// How far layers have grown at a time, 0 to 1.
+double grown_part(double time);
+
 /// Whether every force has a potential, so that the tangent is symmetric.
 bool is_conservative(const Model& model);
 

@@ -71,6 +71,7 @@ void Assembly::add_organ_contact(const Meetings& meetings, const State& state, E
         place.nodes[3 + a] = model_.faces[meeting.other][a];
       }
       add_pair(place, equations, tangent);
+      equations.stored.contact += place.point.energy;
       const double area = contact::quadrature[meeting.q].weight * (now[1] - now[0]).cross(now[2] - now[0]).norm() / 2;
       sums.organs[pass.contact].area += area / 2;
       if (!pass.joined)

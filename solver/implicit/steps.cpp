@@ -33,6 +33,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
       const double halved = std::min(part, (target - state.time) / whole) / 2;
       const bool last_chance = halved < std::pow(2.0, -plan.most_cuts);
       auto found = equilibrium.find(state, next);
+      const bool by_newton = found.has_value();
       if (!found && (cuts == std::min(cuts_before_drag, plan.most_cuts) || last_chance)) {
         found = equilibrium.find_by_drag(state, next);
         drags += found.has_value();
@@ -40,7 +41,7 @@ double run_steps(Equilibrium& equilibrium, State& state, const StepPlan& plan, S
       if (found) {
         iterations += found->iterations;
         last = std::move(*found);
-        if (observe) observe(state);
+        if (observe) observe({state, last.equations, !by_newton});
         easy = last.iterations <= 10 ? easy + 1 : 0;
         if (easy >= 2) part = std::min(1.0, 2 * part);
       } else {

@@ -23,8 +23,13 @@ struct Step {
   int drags = 0;       ///< sub-steps that were found by drag
 };
 
-/// Sees every sub-step that is accepted.
-using Observer = std::function<void(const State&)>;
+/// A sub-step that is accepted.
+struct Accepted {
+  const State& state;
+  const Equations& equations;
+  bool by_drag = false;
+};
+using Observer = std::function<void(const Accepted&)>;
 
 /// How far a plan has come, and how long its sub-steps are.
 struct Stride {

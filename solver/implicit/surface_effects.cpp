@@ -25,11 +25,12 @@ void for_each_point(const Model& model, std::size_t first, const Visit& visit) {
 }  // namespace
 
 void Assembly::add_layers(const State& state, Equations& equations, BlockMatrix& tangent) const {
-  const double grown = std::clamp(1 + state.time, 0.0, 1.0);
+  const double grown = grown_part(state.time);
   for (const auto& layer : model_.layers)
     for (int f : layer.faces) {
       const auto& nodes = model_.faces[f];
       const auto system = elements::membrane_triangle(layer, {model_.points[nodes[0]], model_.points[nodes[1]], model_.points[nodes[2]]}, corners_now(model_, state, f));
+      equations.stored.grown_layers += system.energy;
       equations.internal_force = std::hypot(equations.internal_force, grown * system.internal_force);
       for (int a = 0; a < 3; ++a) {
         equations.residual.segment<3>(4 * nodes[a]) += grown * system.residual.segment<3>(3 * a);
@@ -41,6 +42,7 @@ void Assembly::add_layers(const State& state, Equations& equations, BlockMatrix&
         }
       }
     }
+  equations.stored.layers = grown * equations.stored.grown_layers;
 }
 
 void Assembly::add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent) const {

@@ -31,4 +31,11 @@ inline Dilation dilation(const VolumeEnergy& U, double p) {
   }
 }
 
+/// U*(p) = p (J − 1) − U, where `t` = J − 1 = U*′(p), MPa.
+inline double dual(const VolumeEnergy& U, double p, double t) {
+  if (!std::isfinite(U.bulk_modulus)) return 0;
+  const double t2 = t * t;
+  return p * t - t2 * (U.bulk_modulus / 2 + t2 * (U.s2 + t2 * U.s3));
+}
+
 }  // namespace palpate::materials

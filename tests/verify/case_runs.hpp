@@ -50,7 +50,7 @@ class CaseRuns : public InFolder {
     implicit::Observer follow;
     if (table) {
       sensitivities.emplace(settings, "", numbers, equilibrium, 1);
-      follow = [&](const implicit::State& found) { sensitivities->follow(found); };
+      follow = [&](const implicit::Accepted& found) { sensitivities->follow(found.state); };
     }
     if (!c.settling.times.empty()) {
       take_tools_away(c);
