@@ -1,9 +1,9 @@
 # The block of bench/calculix pushed down over its whole top, by GetFEM: a third code for the force at 6 mm.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A block of 40 x 40 x 20 mm, bottom held, whole top pushed down 6 mm and sticking, kappa = 100 mu: a quarter, quadratic displacements and linear
-pressure on structured tetrahedra that get smaller towards the edges, where stress is singular.
+pressure on structured tetrahedra that get smaller towards the edges, where stress is singular; or all alike, as bench/calculix has them.
 
-    /usr/bin/python3 bench/getfem/patch_on_block.py LAW CELLS [CELLS ...]      LAW: neo_hookean, mooney_rivlin or yeoh; CELLS: along 20 mm
+    /usr/bin/python3 bench/getfem/patch_on_block.py LAW [uniform] CELLS [CELLS ...]      LAW: neo_hookean, mooney_rivlin or yeoh; CELLS: along 20 mm
 
 Prints cells, unknowns and the force in N (Renard and Poulios 2020, ACM Trans. Math. Softw. 47:4; Debian: python3-getfem). Numbers kept, not asserted.
 """
@@ -16,7 +16,10 @@ SIDE, HEIGHT, DEPTH, STEPS = 20.0, 20.0, 6.0, 6
 LAWS = {"neo_hookean": (0.00335, 0.0, 0.0, 0.0), "mooney_rivlin": (0.083, 0.0, 0.0, 0.0565), "yeoh": (0.0034, 0.0012, 0.0005, 0.0)}  # C10, C20, C30, C01
 
 
-def towards(end, cells, power=2.0):
+POWER = 1.0 if "uniform" in sys.argv else 2.0
+
+
+def towards(end, cells, power=POWER):
     """Coordinates from 0 to `end`, finer there."""
     return end * (1 - (1 - np.linspace(0, 1, cells + 1)) ** power)
 
@@ -70,6 +73,6 @@ def force(law, cells):
 
 
 gf.util_trace_level(0)
-for cells in [int(word) for word in sys.argv[2:]]:
+for cells in [int(word) for word in sys.argv[2:] if word != "uniform"]:
     newtons, unknowns = force(sys.argv[1], cells)
     print(f"{sys.argv[1]} {cells} cells, {unknowns} unknowns: {newtons:.5f} N", flush=True)
