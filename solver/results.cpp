@@ -64,10 +64,10 @@ std::map<int, Vector3d> reactions(const implicit::Model& model, const Eigen::Vec
 /// A tense capsule, or a pre-stress, loads an organ on which no force acts: then forces are compared with this part of the internal ones.
 constexpr double of_internal_forces = 1e-3;
 
-/// What is left when every force on the organ is added up, of the largest of them.
-double imbalance(const implicit::Model& model, const implicit::Assembly& assembly, const implicit::Step& step) {
+/// What is left when every force on the organ is added up, of the largest of them so far: when the tool has left, there is none.
+double imbalance(const implicit::Model& model, const implicit::Assembly& assembly, const implicit::Step& step, double& largest) {
   Vector3d sum = assembly.loads(step.state);
-  double largest = std::max(sum.norm(), of_internal_forces * step.equations.internal_force);
+  largest = std::max({largest, sum.norm(), of_internal_forces * step.equations.internal_force});
   const auto add = [&](const Vector3d& force) {
     sum += force;
     largest = std::max(largest, force.norm());
@@ -157,7 +157,7 @@ ResultFolder::ResultFolder(std::filesystem::path folder, const Case& the_case, c
 void ResultFolder::make_folders() const { std::filesystem::create_directory(folder_ / "frames"); }
 
 void ResultFolder::keep(Archive& archive) {
-  archive(history_, frames_, files_, frame_count_, iterations_, cuts_, drags_, steps_, peak_force_, contact_area_, force_, depth_, organs_, worst_imbalance_,
+  archive(history_, frames_, files_, frame_count_, iterations_, cuts_, drags_, steps_, peak_force_, contact_area_, force_, depth_, organs_, largest_force_, worst_imbalance_,
           worst_penetration_, smallest_J_, patch_change_, energy_, remeshings_);
 }
 
@@ -170,7 +170,7 @@ void ResultFolder::remeshed(Json facts, const implicit::Step& step) {
   facts["energy_N_mm"] = energy_.remeshed(*assembly_, step.state, step.equations);
   remeshings_.push_back(facts.dump());
   iterations_ += step.iterations;
-  worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step));
+  worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step, largest_force_));
   worst_penetration_ = std::max(worst_penetration_, step.equations.contact.penetration);
   organs_ = step.equations.contact.organs;
 }
@@ -181,7 +181,7 @@ void ResultFolder::settled(const implicit::Step& step) {
   iterations_ += step.iterations;
   cuts_ += step.cuts;
   drags_ += step.drags;
-  if (step.equations.residual.size() > 0) worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step));
+  if (step.equations.residual.size() > 0) worst_imbalance_ = std::max(worst_imbalance_, imbalance(case_->model, *assembly_, step, largest_force_));
 }
 
 void ResultFolder::add(const implicit::Step& step, bool last) {

@@ -69,7 +69,7 @@ class ResultFolder {
   int frame_count_ = 0, iterations_ = 0, cuts_ = 0, drags_ = 0, steps_ = 0;
   double peak_force_ = 0, contact_area_ = 0, force_ = 0, depth_ = 0;
   std::vector<implicit::OrganSums> organs_;  ///< at the last step
-  double worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1, patch_change_ = 0;
+  double largest_force_ = 0, worst_imbalance_ = 0, worst_penetration_ = 0, smallest_J_ = 1, patch_change_ = 0;
   implicit::EnergyBalance energy_;
   std::vector<std::string> remeshings_;  ///< facts of each, JSON
 };

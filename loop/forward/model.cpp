@@ -225,11 +225,10 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
   return force;
 }
 
-std::vector<double> Forward::force(std::size_t r, const Model& model) const {
-  ++evaluations_;
+Forward::Pressed Forward::pressed(std::size_t r, const Model& model) const {
   const Run& run = set_->runs[r];
   const Tissue tissue = tissue_of(model);
-  Path depth = run.u;
+  Pressed p{run.u, {}};
   double compliance = model.compliance_mm_per_N, zero = 0;
   if (run.zero == "tool_start") zero = -model.zero_mm;
   if (run.zero_force_N > 0) {
@@ -237,16 +236,30 @@ std::vector<double> Forward::force(std::size_t r, const Model& model) const {
     zero = depth_of_force(run.zero_force_N, scale_, [&](double d) { return elastic(run, place, tissue, d); });
   }
   if (run.test == Test::indentation)
-    for (double& d : depth) d += zero + model.form[2] * scale_;
+    for (double& d : p.depth_mm) d += zero + model.form[2] * scale_;
   for (const Active& a : model.active) {
-    if (a.effect->depth && run.test == Test::indentation) a.effect->depth(run, a.amplitude, a.shape, depth);
+    if (a.effect->depth && run.test == Test::indentation) a.effect->depth(run, a.amplitude, a.shape, p.depth_mm);
     if (a.effect->compliance) compliance += a.effect->compliance(a.amplitude);
   }
-  Path force(depth.size(), 0.0);
-  if (!run.is_air()) force = tissue_force(run, model, tissue, depth, compliance);
-  add_rate(run, tissue, depth, run.test == Test::indentation ? scale_ : 1, force);
+  p.force_N.assign(p.depth_mm.size(), 0.0);
+  if (!run.is_air()) p.force_N = tissue_force(run, model, tissue, p.depth_mm, compliance);
+  add_rate(run, tissue, p.depth_mm, run.test == Test::indentation ? scale_ : 1, p.force_N);
+  return p;
+}
+
+Path Forward::pressed_along(std::size_t r, const Model& model, Path depth) const {
+  Tissue tissue = tissue_of(model);
+  tissue.support_mm_per_N = 0;
+  Path force = tissue_force(set_->runs[r], model, tissue, depth, 0);
+  add_rate(set_->runs[r], tissue, depth, scale_, force);
+  return force;
+}
+
+std::vector<double> Forward::force(std::size_t r, const Model& model) const {
+  ++evaluations_;
+  Path force = pressed(r, model).force_N;
   for (const Active& a : model.active)
-    if (a.effect->force) a.effect->force(run, a.amplitude, a.shape, force);
+    if (a.effect->force) a.effect->force(set_->runs[r], a.amplitude, a.shape, force);
   for (double& F : force) F *= 1 + model.gain;
   return force;
 }

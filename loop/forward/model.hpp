@@ -47,6 +47,13 @@ class Forward {
   /// The force, N (stress in MPa of a homogeneous test), of each sample.
   std::vector<double> force(std::size_t run, const Model& model) const;
   Eigen::VectorXd predicted(std::size_t run, const Model& model) const { return averaged(run, force(run, model)); }
+  /// What the tissue itself goes through: its own depth (zero, play and compliance taken off), and the force on it, without the force cell.
+  struct Pressed {
+    Path depth_mm, force_N;
+  };
+  Pressed pressed(std::size_t run, const Model& model) const;
+  /// Force on the tissue of an indentation that goes through these depths of its own.
+  Path pressed_along(std::size_t run, const Model& model, Path depth_mm) const;
   /// How often a run's force was computed.
   long evaluations() const { return evaluations_; }
   Site site(const Run& run) const;

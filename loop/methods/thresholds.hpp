@@ -35,6 +35,7 @@ inline constexpr double prior_lateral_sd = 0.005; ///< run-to-run, of lateral ov
 inline constexpr double form_sd = 0.005;          ///< of the elastic curve's own error, linear and quadratic in depth, and from tool to tool, relative
 inline constexpr double form_tool_sd = 0.002;     ///< of what depth changes from tool to tool, relative: closed forms against GetFEM with two balls (decision 042)
 inline constexpr double form_depth_sd = 0.002;    ///< of the same in depth, relative to the deepest point
+inline constexpr double confirm_share = 0.3;      ///< of the solver's change of force that the shortcut's, scaled, may leave (rms), and of its size it may be off by
 inline constexpr double other_curve = 2;          ///< squares per block that must be unexplained before another elastic curve is thought of
 inline constexpr double wide_layer = 2.5;         ///< heights from a side, beyond which it is not felt
 

@@ -10,6 +10,7 @@
 #include <loop/methods/searched.hpp>
 #include <loop/methods/thresholds.hpp>
 #include <loop/report/case_file.hpp>
+#include <loop/report/confirm.hpp>
 #include <loop/report/report.hpp>
 #include <loop/set/thinned.hpp>
 
@@ -246,18 +247,29 @@ Json tried_json(const std::vector<loop::CurveTried>& curves) {
   return list;
 }
 
+/// What was found, held against the solver; the folder it worked in is removed.
+loop::Confirmation confirmed(Command& c, const loop::Searched& s) {
+  const fs::path scratch = c.output("result") / "confirmation", solver = c.text("forward") == "closed" ? "" : loop::beside("palpate-solve");
+  const bool solvable = loop::can_be_solved(*s.session.set);
+  const loop::Confirmation confirmation = loop::confirmed(s.session, s.finding.final.model, solvable ? solver : "", scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
+  fs::remove_all(scratch);
+  return confirmation;
+}
+
 void run_of_run(Command& c) {
   const auto start = std::chrono::steady_clock::now();
   loop::Set set = sound_set(c);
   c.say("null model and noise");
   const auto curves = curves_of(c, set);
   const loop::Searched s = searched(c, set, curves);
+  const loop::Confirmation confirmation = confirmed(c, s);
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
-  report["solves"] = curves.size();
+  report["solves"] = curves.size() + confirmation.solves;
   report["solved_curves"] = solves_json(curves);
   report["elastic_curves"] = tried_json(s.curves);
-  report["confirmed_in_solver"] = false;
+  report["confirmed_in_solver"] = loop::confirmation_json(confirmation);
+  if (const std::string remark = loop::told(confirmation); !remark.empty()) report["remarks"].push_back(remark);
   report["curve_evaluations"] = s.session.forward->evaluations();
   report["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_json(c.output("result") / "report.json", report);

@@ -31,9 +31,10 @@ struct Parts {
 /// A law that a stiffening turns the null into, where the solver has it.
 bool write_stiffened(const Model& model, const Active& a, Parts& parts) {
   const double mu = model.law->shear_modulus(model.parameters), e = a.amplitude;
-  if (model.law->name != "neo_hookean") return false;
-  switch (static_cast<int>(a.shape[0])) {
-    case 0: parts.material << "law = \"fung_demiray\"\nmu = " << mu << "\nb = " << e << "\n"; return e > 0;
+  const int kind = static_cast<int>(a.shape[0]);
+  if (model.law->name != "neo_hookean" || (kind == 0 && !(e > 0))) return false;
+  switch (kind) {
+    case 0: parts.material << "law = \"fung_demiray\"\nmu = " << mu << "\nb = " << e << "\n"; return true;
     case 1: parts.material << "law = \"mooney_rivlin\"\nC10 = " << mu / 2 * (1 - e / 100) << "\nC01 = " << mu / 2 * e / 100 << "\n"; return true;
     case 2: parts.material << "law = \"yeoh\"\nC10 = " << mu / 2 << "\nC20 = " << mu * e << "\nC30 = 0.0\n"; return true;
     case 3: parts.material << "law = \"yeoh\"\nC10 = " << mu / 2 << "\nC20 = 0.0\nC30 = " << mu * e << "\n"; return true;
@@ -41,10 +42,11 @@ bool write_stiffened(const Model& model, const Active& a, Parts& parts) {
   }
 }
 
-/// One effect: a table, a key of material or tool, or a comment. `strain` is the representative one at the deepest point.
-void write_effect(const Model& model, const Active& a, double strain, Parts& parts) {
+/// One effect as a table or as a key of material or tool; false: the solver has nothing that means the same. `strain` is the representative one at the deepest point.
+bool write_effect(const Session& s, const Model& model, const Active& a, double strain, Parts& parts) {
   const std::string& name = a.effect->entry.name;
   const double mu = model.law->shear_modulus(model.parameters), e = a.amplitude;
+  if (name == "stiffening") return write_stiffened(model, a, parts);
   if (name == "prony") {
     parts.effects << "[[effect]]\nname = \"prony\"\ng = " << e << "\ntau_s = " << a.shape[0] << "\n";
   } else if (name == "mullins") {  // ½ e² of a spring at the deepest point stands for the energy 3/2 μ ε²
@@ -53,37 +55,52 @@ void write_effect(const Model& model, const Active& a, double strain, Parts& par
     parts.effects << "[[effect]]\nname = \"rate\"\nm = " << e << "\nrate_0 = " << a.shape[0] * strain << "\n";
   } else if (name == "permanent_set") {
     parts.effects << "[[effect]]\nname = \"permanent_set\"\nfraction = " << e << "\nyield = " << a.shape[0] * strain << "\n";
+  } else if (name == "capsule") {
+    parts.effects << "[[effect]]\nname = \"capsule\"\nE_h = " << e << "\n";
+  } else if (name == "thickness" && s.set->specimen.case_file.empty()) {  // a case does not say where its base is
+    parts.effects << "[[effect]]\nname = \"thickness\"\nexcess = " << e << "\naxis_x = 0\naxis_y = 0\naxis_z = 1\n";
   } else if (name == "friction") {
     parts.tool << "friction = " << e << "\n";
   } else if (name == "compressibility" && e > 0) {
     parts.material << "kappa = " << 2 * mu * (1.5 - e) / (3 * 2 * e) << "\n";
   } else {
-    parts.comments << "# not in this case: " << name;
-    for (std::size_t i = 0; i < a.effect->entry.parameters.size(); ++i)
-      parts.comments << (i ? ", " : " with ") << a.effect->entry.parameters[i].name << " = " << (i ? a.shape[i - 1] : e) << " " << a.effect->entry.parameters[i].unit;
-    parts.comments << " (" << a.effect->entry.kind << ")\n";
+    return false;
   }
+  return true;
+}
+
+void write_comment(const Active& a, Parts& parts) {
+  parts.comments << "# not in this case: " << a.effect->entry.name;
+  for (std::size_t i = 0; i < a.effect->entry.parameters.size(); ++i)
+    parts.comments << (i ? ", " : " with ") << a.effect->entry.parameters[i].name << " = " << (i ? a.shape[i - 1] : a.amplitude) << " " << a.effect->entry.parameters[i].unit;
+  parts.comments << " (" << a.effect->entry.kind << ")\n";
+}
+
+double representative_strain_of(const Session& s, const Run& run) {
+  return 0.2 * std::sqrt(std::min(s.depth_scale_mm / s.set->tools.at(run.tool).radius_mm, 1.0));
 }
 
 }  // namespace
 
-std::string case_file(const Session& s, const Model& model) {
-  const Run* run = nullptr;
-  for (std::size_t r : s.problem.runs)
-    if (!run && s.set->runs[r].role == Role::fit && s.set->runs[r].test == Test::indentation) run = &s.set->runs[r];
-  if (!run || s.set->specimen.shape == "tube") return "";
+bool in_case(const Session& s, const Model& model, const Active& a) {
+  Parts parts;
+  return write_effect(s, model, a, 0.1, parts);
+}
+
+std::string case_text(const Session& s, const Model& model, const Run& run, const std::string& motion) {
   const Specimen& specimen = s.set->specimen;
-  const Tool& tool = s.set->tools.at(run->tool);
-  const double deepest = *std::max_element(run->u.begin(), run->u.end());
-  const double strain = 0.2 * std::sqrt(std::min(deepest / tool.radius_mm, 1.0));
+  const Tool& tool = s.set->tools.at(run.tool);
+  const double strain = representative_strain_of(s, run);
   Parts parts;
   for (std::ostringstream* out : {&parts.material, &parts.effects, &parts.tool, &parts.comments}) out->precision(8);
   bool law_written = false;
-  for (const Active& a : model.active)
-    if (a.effect->entry.name == "stiffening" && !law_written && write_stiffened(model, a, parts))
-      law_written = true;
+  for (const Active& a : model.active) {
+    const bool is_law = a.effect->entry.name == "stiffening";
+    if ((is_law && law_written) || !write_effect(s, model, a, strain, parts))
+      write_comment(a, parts);
     else
-      write_effect(model, a, strain, parts);
+      law_written = law_written || is_law;
+  }
   if (!law_written) {
     parts.material << "law = \"" << model.law->name << "\"\n";
     for (std::size_t i = 0; i < model.parameters.size(); ++i) parts.material << model.law->parameters[i].name << " = " << model.parameters[i] << "\n";
@@ -91,15 +108,27 @@ std::string case_file(const Session& s, const Model& model) {
   }
   std::ostringstream out;
   out.precision(8);
-  out << "# Written by palpate-loop: the set's specimen with what the loop found.\n" << parts.comments.str();
+  out << parts.comments.str();
   if (specimen.case_file.empty())
     out << "schema = \"palpate-case/1\"\nmesh = \"mesh.vtu\"\n[base]\nlabel = \"base\"\n";
   else
     out << without(read_text(specimen.case_file), {"material", "effect", "tool", "steps"});
   out << "[material]\n" << parts.material.str() << parts.effects.str() << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = ["
-      << run->point_mm[0] << ", " << run->point_mm[1] << ", " << run->point_mm[2] << "]\naxis = [" << run->axis[0] << ", " << run->axis[1] << ", " << run->axis[2]
-      << "]\n" << parts.tool.str() << "depth_mm = " << deepest << "\nspeed_mm_s = " << (run->rate_mm_s > 0 ? run->rate_mm_s : 1.0) << "\n[steps]\ncount = 20\n";
+      << run.point_mm[0] << ", " << run.point_mm[1] << ", " << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2]
+      << "]\n" << parts.tool.str() << motion;
   return out.str();
+}
+
+std::string case_file(const Session& s, const Model& model) {
+  if (s.set->specimen.shape == "tube") return "";
+  for (std::size_t r : s.problem.runs) {
+    const Run& run = s.set->runs[r];
+    if (run.role != Role::fit || run.test != Test::indentation) continue;
+    std::ostringstream motion;
+    motion << "depth_mm = " << *std::max_element(run.u.begin(), run.u.end()) << "\nspeed_mm_s = " << (run.rate_mm_s > 0 ? run.rate_mm_s : 1.0) << "\n[steps]\ncount = 20\n";
+    return "# Written by palpate-loop: the set's specimen with what the loop found.\n" + case_text(s, model, run, motion.str());
+  }
+  return "";
 }
 
 }  // namespace palpate::loop
