@@ -33,7 +33,7 @@ def graded(first, even, end):
 
 
 def layer_model(gf, np, radius, effect, amplitude):
-    """Model, method of integration, weight of the force. Amplitudes: share of the height; 1/2 - Poisson's ratio; Demiray's b; excess stiffness of a ball of 5 mm
+    """Model, method of integration, mesh and displacements. Amplitudes: share of the height; 1/2 - Poisson's ratio; Demiray's b; excess stiffness of a ball of 5 mm
     radius 7 mm under the surface; E h of a skin, N/mm; softness of a bed under the layer, mm of a column at 1 MPa over the layer's own 1/(3 MU) per mm; radius of a cylinder instead of SIDE, mm; height instead of HEIGHT."""
     h = amplitude if effect == "height" else HEIGHT * (1 + (amplitude if effect == "thickness" else 0))
     first = radius / 10
@@ -78,11 +78,11 @@ def layer_model(gf, np, radius, effect, amplitude):
     model.add_initialized_data("H", np.array([[1, 0], [0, 0]]))
     model.add_initialized_data("zero", [0, 0])
     model.add_generalized_Dirichlet_condition_with_multipliers(inside, "u", u, 3, "zero", "H")
-    return model, inside
+    return model, inside, mesh, u
 
 
 def curve(gf, np, radius, effect, amplitude):
-    model, inside = layer_model(gf, np, radius, effect, amplitude)
+    model, inside, _, _ = layer_model(gf, np, radius, effect, amplitude)
     deepest = min(4.6 if radius == 5 else 3.0, 0.3 * (amplitude if effect == "height" else HEIGHT))
     rows = []
     for share in (0.02, 0.05, 0.1, 0.17, 0.25, 0.33, 0.42, 0.5, 0.58, 0.67, 0.75, 0.83, 0.92, 1.0):

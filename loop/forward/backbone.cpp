@@ -65,6 +65,11 @@ double compressible_depth(double nu, double x, double chi) {
   return 1 + n * (1 - 1.26 * n) * (1.17 * std::sqrt(x) + 3.47 * x * chi);
 }
 
+double solved_friction(double mu, double x) {
+  const double stuck = 0.03 + 0.065 * x, u = 0.3 * mu / stuck;
+  return x * stuck * u / std::cbrt(1 + u * u * u);
+}
+
 double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   if (!(depth > 0)) return 0;
   const double R = site.tool.radius_mm, h = site.thickness_mm * tissue.thickness_factor;

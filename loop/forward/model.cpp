@@ -72,15 +72,20 @@ void add_rate(const Run& run, const Tissue& tissue, const Path& depth, double sc
   }
 }
 
-/// F (1 + 3π/16 μ a/R s); s follows the motion elastically over 5 % of the depth and slips at ±1 (stop operator).
+/// F (1 + 3π/16 μ a/R s) where all of the contact slips; s follows the motion elastically over 5 % of the depth and slips at ±1 (stop operator). An incompressible tissue
+/// hardly moves along a ball: F (1 + solved_friction s), and s turns over 29 μ² of the logarithm of depth (decision 043).
 void add_friction(const Site& site, const Tissue& tissue, const Path& depth, Path& force) {
   if (tissue.friction == 0 || site.tool.kind.starts_with("flat")) return;
+  const double mu = tissue.friction, R = site.tool.radius_mm, turn = tissue.friction_slips ? 0.05 : std::max(29 * mu * mu, 1e-3);
   double s = 0, before = 0;
   for (std::size_t i = 0; i < force.size(); ++i) {
-    const double d = std::max(depth[i], 0.0), R = site.tool.radius_mm;
-    s = d > 0 ? std::clamp(s + (d - before) / (0.05 * std::max(d, before)), -1.0, 1.0) : 0;
+    const double d = std::max(depth[i], 0.0), x = std::min(d / R, 1.0);
+    const double most = tissue.friction_slips ? 3 * M_PI / 16 * mu * std::sqrt(x) : solved_friction(mu, x);
+    if (!(d > 0)) s = 0;
+    else if (tissue.friction_slips) s = std::clamp(s + (d - before) / (turn * std::max(d, before)), -1.0, 1.0);
+    else s = before > 0 ? std::clamp(s + std::log(d / before) / turn, -1.0, 1.0) : 1;
     before = d;
-    force[i] *= 1 + 3 * M_PI / 16 * tissue.friction * std::sqrt(std::min(d / R, 1.0)) * s;
+    force[i] *= 1 + most * s;
   }
 }
 

@@ -41,6 +41,7 @@ struct Tissue {
   double mullins = 0, mullins_scale = 0.3;
   double set_fraction = 0, set_yield = 0;
   double friction = 0;
+  bool friction_slips = true;  ///< over the whole contact, as under dry compressible tissue; false: as solved for an incompressible one, which slips little
   double adhesion_J_per_m2 = 0;
   bool adhesion_on_retract_only = true;
 };

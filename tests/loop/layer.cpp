@@ -87,6 +87,14 @@ TEST(Backbone, CompressibilityFollowsGetfem) {
   }
 }
 
+TEST(Backbone, SolvedFrictionFollowsGetfem) {
+  struct Row {
+    double mu, x, added;
+  };
+  for (const Row& row : {Row{0.1, 0.198, 0.00521}, {0.1, 0.316, 0.00958}, {0.1, 0.4, 0.01155}, {0.3, 0.198, 0.00694}, {0.3, 0.316, 0.01407}, {1, 0.198, 0.00716}, {1, 0.316, 0.01531}})
+    EXPECT_NEAR(solved_friction(row.mu, row.x) / row.added, 1, 0.2) << row.mu << " " << row.x;  // bench/hidden/friction.py 5 2.0
+}
+
 TEST(Backbone, SmallStrainsAreHertzTimesTheLayer) {
   Site site{{"ball", 5.0}, {0, 0, 0}, 20, true, Strains::small};
   Tissue tissue;
