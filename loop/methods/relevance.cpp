@@ -42,20 +42,29 @@ double departure(Test test, double most, bool stretched, const Model& from, cons
   return apart / largest;
 }
 
-/// How much the last effect of a model changes the fitted forces: root mean square, relative to the largest force.
+/// How much the last effect of a model changes the fitted forces of the tool and place where it changes them most: root mean square, relative to the largest force there.
 double change_by_last(const Session& s, const Model& model) {
+  struct Site {
+    const Run* run;
+    double squares = 0, largest = 0;
+    long blocks = 0;
+  };
   Model without = model;
   without.active.pop_back();
-  double squares = 0, largest = 0;
-  long blocks = 0;
-  for (std::size_t run : s.problem.runs) {
-    if (s.set->runs[run].role != Role::fit) continue;
-    const VectorXd with = s.forward->predicted(run, model);
-    squares += (with - s.forward->predicted(run, without)).squaredNorm();
-    largest = std::max(largest, with.cwiseAbs().maxCoeff());
-    blocks += with.size();
+  std::vector<Site> sites;
+  for (std::size_t r : s.problem.runs) {
+    const Run& run = s.set->runs[r];
+    if (run.role != Role::fit) continue;
+    auto site = std::find_if(sites.begin(), sites.end(), [&](const Site& other) { return other.run->tool == run.tool && norm(other.run->point_mm - run.point_mm) < 1e-6; });
+    if (site == sites.end()) site = sites.insert(sites.end(), {&run});
+    const VectorXd with = s.forward->predicted(r, model);
+    site->squares += (with - s.forward->predicted(r, without)).squaredNorm();
+    site->largest = std::max(site->largest, with.cwiseAbs().maxCoeff());
+    site->blocks += with.size();
   }
-  return std::sqrt(squares / std::max(blocks, 1L)) / std::max(largest, 1e-300);
+  double most = 0;
+  for (const Site& site : sites) most = std::max(most, std::sqrt(site.squares / std::max(site.blocks, 1L)) / std::max(site.largest, 1e-300));
+  return most;
 }
 
 }  // namespace

@@ -27,12 +27,8 @@ Session session_of(Strains strains, const Set& set, const std::function<void(For
 /// What is unexplained counts as more effects than the search may take.
 int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained ? thresholds::most_effects + 1 : static_cast<int>(t.effects.size()); }
 
-/// How much more a simpler explanation may leave: what excludes no alternative, and what the shortcuts of the effects found may be off by.
-double margin(const Searched& s) {
-  double accuracy = 0;
-  for (const Active& a : s.finding.final.model.active) accuracy = std::max(accuracy, a.effect->accuracy);
-  return 2 * thresholds::alternative + accuracy * accuracy * (s.session.null.chi2 - s.finding.final.chi2);
-}
+/// How much more a simpler explanation may leave: what excludes no alternative, and a tenth of what is left. Shortcuts are as far off in the one as in the other.
+double margin(const Searched& s) { return 2 * thresholds::alternative + 0.1 * s.finding.final.chi2; }
 
 /// Misfit per block.
 double misfit(const Searched& s) {
