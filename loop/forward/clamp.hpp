@@ -51,13 +51,14 @@ struct ClampSite {
 };
 
 /// Places of the curve's own error, shares of the deepest closure, denser where the wall meets itself; between them it is straight.
-inline constexpr std::array<double, 10> form_places = {0, 0.1, 0.2, 0.35, 0.5, 0.65, 0.77, 0.87, 0.94, 1};
+inline constexpr std::array<double, 16> form_places = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.68, 0.75, 0.81, 0.86, 0.9, 0.93, 0.96, 0.98, 1};
 inline constexpr std::size_t forms_of_site = 2 * form_places.size();  ///< closing, then opening
 
 /// Everything solved of a set's clamp.
 struct ClampCurves {
   double deepest_mm = 0, small_N = 0;        ///< ε
   std::vector<double> form_sd;               ///< of ln(F + ε) at the places of each site: what meshes differ by
+  double scatter = 0;                        ///< what meshes differ by between these places, over the largest force
   std::vector<double> parameters;            ///< of the law, in the solves
   std::vector<ClampSite> sites;
   int solves = 0, reused = 0;

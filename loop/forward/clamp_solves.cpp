@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double edges_mm[] = {2.4, 3.0, 2.7};    ///< at the jaws: of the curve itself, of the changes, and one more that tells what a mesh does
+constexpr double finer[] = {0.8, 1.0, 0.9};        ///< edges over the set's: the curve is the mean of these meshes; the second is that of the changes
 constexpr double grid_mm = 0.1, smoothed_mm = 0.2; ///< of the closures; half width of the mean over vibrations
 constexpr double reach_mm = 24, slice_mm = 8;      ///< along the tube, from the jaws' middle
 constexpr double solved_MPa = 0.25;                ///< initial shear modulus of the solves: forces at rest are proportional to it, and stiffer walls come to rest sooner
@@ -88,8 +88,8 @@ EvenCurve mean_of(const std::vector<BothWays>& all, EvenCurve BothWays::*way, do
   EvenCurve mean = all[0].*way;
   for (std::size_t u = 0; u < mean.values.size(); ++u) {
     double sum = 0;
-    for (std::size_t i = 0; i < std::size(edges_mm); ++i) sum += std::log(std::max((all[i].*way).values[u], 0.0) + small);
-    mean.values[u] = std::exp(sum / std::size(edges_mm)) - small;
+    for (std::size_t i = 0; i < std::size(finer); ++i) sum += std::log(std::max((all[i].*way).values[u], 0.0) + small);
+    mean.values[u] = std::exp(sum / std::size(finer)) - small;
   }
   return mean;
 }
@@ -97,36 +97,57 @@ EvenCurve mean_of(const std::vector<BothWays>& all, EvenCurve BothWays::*way, do
 /// Everything that is solved of a site, in this order: the meshes, friction, angle, the law's parameters, slices.
 std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
   std::vector<Closing> jobs;
-  for (double edge : edges_mm) jobs.push_back({.edge_mm = edge, .works = jobs.empty()});
-  for (double mu : {0.2, 0.5}) jobs.push_back({.edge_mm = edges_mm[1], .friction = mu});
-  for (double angle : {2.0, 4.0}) jobs.push_back({.edge_mm = edges_mm[1], .angle_deg = angle});
+  for (double part : finer) jobs.push_back({.edge_mm = part * b.set.specimen.edge_mm, .works = jobs.empty()});
+  for (double mu : {0.2, 0.5}) jobs.push_back({.edge_mm = finer[0] * b.set.specimen.edge_mm, .friction = mu});
+  for (double angle : {2.0, 4.0}) jobs.push_back({.edge_mm = finer[0] * b.set.specimen.edge_mm, .angle_deg = angle});
   for (int i = 1; i < static_cast<int>(b.start.parameters.size()); ++i)
-    if (b.start.parameters[i] > 0) jobs.push_back({.edge_mm = edges_mm[1], .parameter = i});
+    if (b.start.parameters[i] > 0) jobs.push_back({.edge_mm = b.set.specimen.edge_mm, .parameter = i});
   const double length = b.set.specimen.size_mm[2], most = 0.5 * b.stop_gap_mm() / b.set.specimen.wall_mm - 1.05;  // what still fits between the jaws
   const double thick = std::clamp(most, 0.1, 0.4);
   for (double from = 0; from < length - 1e-6; from += slice_mm) {
     const double to = std::min(from + slice_mm, length);
     if (to < run.point_mm[2] - reach_mm || from > run.point_mm[2] + reach_mm) continue;
-    for (double excess : {-0.2, thick}) jobs.push_back({.edge_mm = edges_mm[1], .from = from, .to = to, .excess = excess});
+    for (double excess : {-0.2, thick}) jobs.push_back({.edge_mm = b.set.specimen.edge_mm, .from = from, .to = to, .excess = excess});
   }
   return jobs;
 }
 
-ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares) {
+/// Squares of what the meshes' forces differ by, less the straight lines between the places of the curve's own error, over the largest force: mean over
+/// closures, ways, meshes.
+double rough_part(const Bench& b, const std::vector<BothWays>& all, const BothWays& mean, double small) {
+  double squares = 0, count = 0;
+  const double largest = *std::max_element(mean.closing.values.begin(), mean.closing.values.end());
+  for (const auto way : {&BothWays::closing, &BothWays::opening})
+    for (std::size_t i = 0; i < std::size(finer); ++i) {
+      const auto apart = [&](double u) { return std::log(((all[i].*way).at(u) + small) / ((mean.*way).at(u) + small)); };
+      for (std::size_t p = 1; p < form_places.size(); ++p) {
+        const double low = form_places[p - 1] * b.deepest_mm, high = form_places[p] * b.deepest_mm, first = apart(low), last = apart(high);
+        for (double u = low; u < high; u += grid_mm, ++count)
+          squares += std::pow((mean.*way).at(u) / largest * (apart(u) - first - (last - first) * (u - low) / (high - low)), 2);
+      }
+    }
+  return squares / count;
+}
+
+ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares, double& rough) {
   ClampSite site;
   site.point_mm = run.point_mm;
   std::vector<BothWays> all;
   for (const auto& result : results) all.push_back(curves_of(b, result));
-  const BothWays& coarse = all[1];
+  const BothWays& coarse = all[1];  // friction and angle change what the wall does to itself most: they have the finest mesh
   site.force = {mean_of(all, &BothWays::closing, small), mean_of(all, &BothWays::opening, small)};
-  const auto change = [&](std::size_t i) { return BothWays{log_change(all[i].closing, coarse.closing, small), log_change(all[i].opening, coarse.opening, small)}; };
+  const auto change = [&](std::size_t i) {
+    const BothWays& without = jobs[i].edge_mm == jobs[0].edge_mm ? all[0] : coarse;
+    return BothWays{log_change(all[i].closing, without.closing, small), log_change(all[i].opening, without.opening, small)};
+  };
+  rough += rough_part(b, all, site.force, small);
   for (const auto way : {&BothWays::closing, &BothWays::opening})
     for (double place : form_places) {
       double squares = 0;
-      for (std::size_t i = 0; i < std::size(edges_mm); ++i) squares += std::pow(std::log(((all[i].*way).at(place * b.deepest_mm) + small) / ((site.force.*way).at(place * b.deepest_mm) + small)), 2);
-      site_squares.push_back(squares / (std::size(edges_mm) - 1));
+      for (std::size_t i = 0; i < std::size(finer); ++i) squares += std::pow(std::log(((all[i].*way).at(place * b.deepest_mm) + small) / ((site.force.*way).at(place * b.deepest_mm) + small)), 2);
+      site_squares.push_back(squares / (std::size(finer) - 1));
     }
-  for (std::size_t i = std::size(edges_mm); i < jobs.size(); ++i) {
+  for (std::size_t i = std::size(finer); i < jobs.size(); ++i) {
     const Closing& job = jobs[i];
     Change* of = job.friction > 0 ? &site.friction : &site.angle;
     double amplitude = job.friction > 0 ? job.friction : job.angle_deg;
@@ -163,7 +184,7 @@ std::vector<double> pooled(const std::vector<double>& squares) {
   double mean = 0;
   for (double x : squares) mean += x / static_cast<double>(squares.size());
   std::vector<double> sd;
-  for (double x : squares) sd.push_back(std::sqrt(0.5 * (x + mean) * (1 + 1.0 / std::size(edges_mm))));
+  for (double x : squares) sd.push_back(std::sqrt(0.5 * (x + mean) * (1 + 1.0 / std::size(finer))));
   return sd;
 }
 
@@ -199,14 +220,17 @@ ClampCurves solved_in(const Set& set, const fs::path& kept, int threads, const s
   curves.small_N = small_share * *std::max_element(first.values.begin(), first.values.end());
   curves.deepest_mm = deepest;
   std::vector<double> squares;
+  double rough = 0;
   auto at = results.begin();
   for (const Run* run : places) {
     const auto jobs = jobs_of(b, *run);
-    curves.sites.push_back(site_of(b, *run, jobs, {at, at + static_cast<long>(jobs.size())}, curves.small_N, squares));
+    curves.sites.push_back(site_of(b, *run, jobs, {at, at + static_cast<long>(jobs.size())}, curves.small_N, squares, rough));
     curves.sites.back().index = static_cast<int>(curves.sites.size()) - 1;
     at += static_cast<long>(jobs.size());
   }
   curves.form_sd = pooled(squares);
+  const double sites = static_cast<double>(places.size());
+  curves.scatter = std::sqrt(rough / sites * (static_cast<double>(set.runs.size()) / sites));  // it is the same in all runs of a site
   return curves;
 }
 

@@ -248,7 +248,8 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct) {
       of_run.push_back(left.data.col(0).segment(at, s.forward->blocks(run)));
       at += s.forward->blocks(run);
     }
-    const Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
+    Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
+    noise.scatter = std::hypot(noise.scatter, set.clamp_scatter);
     set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
   }
   s.null = best_fit(s.problem, s.null.model);

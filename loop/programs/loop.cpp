@@ -57,6 +57,7 @@ std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set) {
   if (!loop::is_clamp(set)) return nullptr;
   auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, c.text("solves"), c.threads(), [&](const std::string& remark) { c.say(remark); }));
   set.clamp_form_sd = curves->form_sd;
+  set.clamp_scatter = curves->scatter;
   return curves;
 }
 

@@ -61,7 +61,10 @@ Specimen read_specimen(const Settings& s, const std::filesystem::path& folder) {
   } else if (s.has("shape")) {
     specimen.shape = s.choice("shape", {"block", "cylinder", "ellipsoid", "tube"});
     specimen.size_mm = read_size(s, specimen.shape);
-    if (specimen.shape == "tube") specimen.wall_mm = s.real("wall_mm", {1e-3, specimen.size_mm[0] / 4});
+    if (specimen.shape == "tube") {
+      specimen.wall_mm = s.real("wall_mm", {1e-3, specimen.size_mm[0] / 4});
+      specimen.edge_mm = s.real("edge_mm", 3, {0.2, specimen.size_mm[0] / 4});
+    }
     for (double edge : specimen.size_mm)
       if (!(edge > 0)) throw Failure(ExitCode::misuse, "the specimen has an edge that is not positive", s.where("shape"));
     if (s.has("base")) specimen.bonded = s.choice("base", {"bonded", "sliding"}) == "bonded";

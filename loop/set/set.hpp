@@ -33,6 +33,7 @@ struct Specimen {
   std::string shape;                ///< block, cylinder, ellipsoid, tube (for a clamp) or empty
   Vec3 size_mm{0, 0, 0};            ///< block: edges; cylinder, tube: diameter, diameter, height; ellipsoid: axes
   double wall_mm = 0;               ///< of a tube, as declared
+  double edge_mm = 3;               ///< of the meshes a tube is solved on, at the jaws
   bool bonded = true;               ///< the base; false: it slides without friction
   bool ring = false;                ///< the side is held by a ring
   std::string law = "neo_hookean";  ///< the null; "unknown": chosen by leave-one-run-out error
@@ -79,6 +80,7 @@ struct Set {
   double sync_error_s = 0;
   Known sensor_sd_N;  ///< absent: from air
   std::vector<double> clamp_form_sd;  ///< of a clamp's solved curves: what they are off by, as its solves tell (loop/forward/clamp.hpp)
+  double clamp_scatter = 0;           ///< the same between the places of these, of one sample, over the largest force
   std::map<std::string, Tool> tools;
   std::vector<Run> runs;
   std::vector<std::string> unknown_keys;  ///< "set.toml:12: key", read over
