@@ -58,6 +58,7 @@ inline constexpr std::size_t forms_of_site = 2 * form_places.size();  ///< closi
 struct ClampCurves {
   double deepest_mm = 0, small_N = 0;        ///< ε
   std::vector<double> form_sd;               ///< of ln(F + ε) at the places of each site: what meshes differ by
+  double correlation = 0;                    ///< of the scatter, from one block of samples to the next
   double scatter = 0;                        ///< what meshes differ by between these places, over the largest force
   std::vector<double> parameters;            ///< of the law, in the solves
   std::vector<ClampSite> sites;

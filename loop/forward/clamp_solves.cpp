@@ -112,24 +112,35 @@ std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
   return jobs;
 }
 
+/// Means of squares, and of products of what lies a block of samples apart.
+struct Rough {
+  double squares = 0, neighbours = 0;
+};
+constexpr std::size_t block_steps = 4;  ///< of the grid
+
 /// Squares of what the meshes' forces differ by, less the straight lines between the places of the curve's own error, over the largest force: mean over
 /// closures, ways, meshes.
-double rough_part(const Bench& b, const std::vector<BothWays>& all, const BothWays& mean, double small) {
-  double squares = 0, count = 0;
+Rough rough_part(const Bench& b, const std::vector<BothWays>& all, const BothWays& mean, double small) {
+  Rough rough;
+  double count = 0;
   const double largest = *std::max_element(mean.closing.values.begin(), mean.closing.values.end());
   for (const auto way : {&BothWays::closing, &BothWays::opening})
     for (std::size_t i = 0; i < std::size(finer); ++i) {
       const auto apart = [&](double u) { return std::log(((all[i].*way).at(u) + small) / ((mean.*way).at(u) + small)); };
+      std::vector<double> left;
       for (std::size_t p = 1; p < form_places.size(); ++p) {
         const double low = form_places[p - 1] * b.deepest_mm, high = form_places[p] * b.deepest_mm, first = apart(low), last = apart(high);
-        for (double u = low; u < high; u += grid_mm, ++count)
-          squares += std::pow((mean.*way).at(u) / largest * (apart(u) - first - (last - first) * (u - low) / (high - low)), 2);
+        for (double u = low; u < high; u += grid_mm) left.push_back((mean.*way).at(u) / largest * (apart(u) - first - (last - first) * (u - low) / (high - low)));
+      }
+      for (std::size_t k = 0; k < left.size(); ++k, ++count) {
+        rough.squares += left[k] * left[k];
+        if (k >= block_steps) rough.neighbours += left[k] * left[k - block_steps];
       }
     }
-  return squares / count;
+  return {rough.squares / count, rough.neighbours / count};
 }
 
-ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares, double& rough) {
+ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares, Rough& rough) {
   ClampSite site;
   site.point_mm = run.point_mm;
   std::vector<BothWays> all;
@@ -140,7 +151,8 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
     const BothWays& without = jobs[i].edge_mm == jobs[0].edge_mm ? all[0] : coarse;
     return BothWays{log_change(all[i].closing, without.closing, small), log_change(all[i].opening, without.opening, small)};
   };
-  rough += rough_part(b, all, site.force, small);
+  const Rough own = rough_part(b, all, site.force, small);
+  rough = {rough.squares + own.squares, rough.neighbours + own.neighbours};
   for (const auto way : {&BothWays::closing, &BothWays::opening})
     for (double place : form_places) {
       double squares = 0;
@@ -220,7 +232,7 @@ ClampCurves solved_in(const Set& set, const fs::path& kept, int threads, const s
   curves.small_N = small_share * *std::max_element(first.values.begin(), first.values.end());
   curves.deepest_mm = deepest;
   std::vector<double> squares;
-  double rough = 0;
+  Rough rough;
   auto at = results.begin();
   for (const Run* run : places) {
     const auto jobs = jobs_of(b, *run);
@@ -230,7 +242,8 @@ ClampCurves solved_in(const Set& set, const fs::path& kept, int threads, const s
   }
   curves.form_sd = pooled(squares);
   const double sites = static_cast<double>(places.size());
-  curves.scatter = std::sqrt(rough / sites * (static_cast<double>(set.runs.size()) / sites));  // it is the same in all runs of a site
+  curves.scatter = std::sqrt(rough.squares / sites * (static_cast<double>(set.runs.size()) / sites));  // it is the same in all runs of a site
+  curves.correlation = std::clamp(rough.neighbours / std::max(rough.squares, 1e-300), 0.0, 0.9);
   return curves;
 }
 

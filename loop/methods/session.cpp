@@ -250,6 +250,7 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct) {
     }
     Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
     noise.scatter = std::hypot(noise.scatter, set.clamp_scatter);
+    noise.correlation = std::max(noise.correlation, set.clamp_correlation);
     set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
   }
   s.null = best_fit(s.problem, s.null.model);

@@ -58,6 +58,7 @@ std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set) {
   auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, c.text("solves"), c.threads(), [&](const std::string& remark) { c.say(remark); }));
   set.clamp_form_sd = curves->form_sd;
   set.clamp_scatter = curves->scatter;
+  set.clamp_correlation = curves->correlation;
   return curves;
 }
 

@@ -80,6 +80,7 @@ struct Set {
   double sync_error_s = 0;
   Known sensor_sd_N;  ///< absent: from air
   std::vector<double> clamp_form_sd;  ///< of a clamp's solved curves: what they are off by, as its solves tell (loop/forward/clamp.hpp)
+  double clamp_correlation = 0;       ///< of this scatter, from one block to the next
   double clamp_scatter = 0;           ///< the same between the places of these, of one sample, over the largest force
   std::map<std::string, Tool> tools;
   std::vector<Run> runs;
