@@ -11,7 +11,7 @@
   const styles = {
     marks: () => ({showLine: false, pointRadius: 2, order: 2}),
     line: () => ({pointRadius: 0, order: 1}),
-    band: series => ({pointRadius: 0, borderWidth: 0, fill: Boolean(series.name), order: 3}),
+    band: series => ({pointRadius: 0, borderWidth: 0, fill: Boolean(series.name), backgroundColor: "rgba(120, 130, 145, 0.22)", order: 3}),
   };
 
   const lines = plot => ({
