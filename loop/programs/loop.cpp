@@ -234,21 +234,6 @@ std::vector<loop::SiteCurve> curves_of(Command& c, const loop::Set& set) {
   }
 }
 
-Json solves_json(const std::vector<loop::SiteCurve>& curves) {
-  Json list = Json::array();
-  for (const auto& curve : curves)
-    list.push_back({{"tool", curve.tool}, {"point_mm", curve.point_mm}, {"deepest_mm", curve.deepest_mm}, {"solved_over_closed", curve.factor},
-                    {"scatter", curve.scatter}, {"nodes", curve.nodes}});
-  return list;
-}
-
-Json tried_json(const std::vector<loop::CurveTried>& curves) {
-  Json list = Json::array();
-  for (const auto& t : curves)
-    list.push_back({{"strains", t.strains == loop::Strains::finite ? "finite" : "small"}, {"effects", t.effects}, {"chi2", t.chi2}, {"verdict", loop::kind_name(t.kind)}});
-  return list;
-}
-
 /// What was found, held against the solver; the folder it worked in is removed.
 loop::Confirmation confirmed(Command& c, const loop::Searched& s) {
   const fs::path scratch = c.output("result") / "confirmation", solver = c.text("forward") == "closed" ? "" : loop::beside("palpate-solve");
@@ -268,8 +253,8 @@ void run_of_run(Command& c) {
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
   report["solves"] = curves.size() + confirmation.solves;
-  report["solved_curves"] = solves_json(curves);
-  report["elastic_curves"] = tried_json(s.curves);
+  report["solved_curves"] = loop::solves_json(curves);
+  report["elastic_curves"] = loop::tried_json(s.curves);
   report["confirmed_in_solver"] = loop::confirmation_json(confirmation);
   if (const std::string remark = loop::told(confirmation); !remark.empty()) report["remarks"].push_back(remark);
   report["curve_evaluations"] = s.session.forward->evaluations();

@@ -248,4 +248,19 @@ std::string curves_csv(const Session& s, const Finding& f) {
   return out.str();
 }
 
+Json solves_json(const std::vector<SiteCurve>& curves) {
+  Json list = Json::array();
+  for (const auto& curve : curves)
+    list.push_back({{"tool", curve.tool}, {"point_mm", curve.point_mm}, {"deepest_mm", curve.deepest_mm}, {"solved_over_closed", curve.factor},
+                    {"scatter", curve.scatter}, {"nodes", curve.nodes}});
+  return list;
+}
+
+Json tried_json(const std::vector<CurveTried>& curves) {
+  Json list = Json::array();
+  for (const auto& t : curves)
+    list.push_back({{"strains", t.strains == Strains::finite ? "finite" : "small"}, {"effects", t.effects}, {"chi2", t.chi2}, {"verdict", kind_name(t.kind)}});
+  return list;
+}
+
 }  // namespace palpate::loop

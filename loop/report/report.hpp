@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <palpate/json.hpp>
-#include <loop/methods/search.hpp>
+#include <loop/forward/solved_curves.hpp>
+#include <loop/methods/searched.hpp>
 
 namespace palpate::loop {
 
@@ -23,6 +24,10 @@ Json validation_json(const Session& session, const Finding& finding, int looks);
 Json plan_json(const Session& session, const Finding& finding);
 /// Everything; opens the sealed runs, of which `looks` says how often this happened in this folder before.
 Json report_json(const Session& session, const Finding& finding, int looks);
+/// What each solve of a site gave.
+Json solves_json(const std::vector<SiteCurve>& curves);
+/// What the search says with curves of finite and of small strain.
+Json tried_json(const std::vector<CurveTried>& curves);
 /// curves.csv: run, role, t, u, phase, measured, before, after, noise of every block.
 std::string curves_csv(const Session& session, const Finding& finding);
 
