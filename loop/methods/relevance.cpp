@@ -42,8 +42,9 @@ double departure(Test test, double most, bool stretched, const Model& from, cons
   return apart / largest;
 }
 
-/// How much the last effect of a model changes the fitted forces of the tool and place where it changes them most: root mean square, relative to the largest force there.
-double change_by_last(const Session& s, const Model& model) {
+/// How much the last effect of a model changes the fitted forces: root mean square, relative to the largest force; of all runs together, or (`where_most`) of those of the
+/// tool and place where it is most.
+double change_by_last(const Session& s, const Model& model, bool where_most) {
   struct Site {
     const Run* run;
     double squares = 0, largest = 0;
@@ -55,7 +56,7 @@ double change_by_last(const Session& s, const Model& model) {
   for (std::size_t r : s.problem.runs) {
     const Run& run = s.set->runs[r];
     if (run.role != Role::fit) continue;
-    auto site = std::find_if(sites.begin(), sites.end(), [&](const Site& other) { return other.run->tool == run.tool && norm(other.run->point_mm - run.point_mm) < 1e-6; });
+    auto site = std::find_if(sites.begin(), sites.end(), [&](const Site& other) { return !where_most || (other.run->tool == run.tool && norm(other.run->point_mm - run.point_mm) < 1e-6); });
     if (site == sites.end()) site = sites.insert(sites.end(), {&run});
     const VectorXd with = s.forward->predicted(r, model);
     site->squares += (with - s.forward->predicted(r, without)).squaredNorm();
@@ -99,8 +100,9 @@ bool matters(const Session& s, const Model& model) {
   const bool elastic = last.entry.kind == "material" || last.entry.kind == "start" || last.entry.kind == "layer" || s.set->specimen.shape == "tube";  // a change of the curve, known to form_sd
   double known = thresholds::form_sd;  // of a clamp: half of the force, over the curve, times what its meshes differ by
   for (double sd : s.set->clamp_form_sd) known += 0.5 * sd / static_cast<double>(s.set->clamp_form_sd.size());
-  const double least = model.active.size() > 1 ? thresholds::further_matters : elastic ? std::max(thresholds::matters, known) : thresholds::matters;
-  return last.lateral || change_by_last(s, model) >= least;
+  const bool further = model.active.size() > 1;
+  const double least = further ? thresholds::further_matters : elastic ? std::max(thresholds::matters, known) : thresholds::matters;
+  return last.lateral || change_by_last(s, model, further) >= least;
 }
 
 double excess(const Session& s, double chi2) {
