@@ -10,6 +10,7 @@
 #include <palpate/errors.hpp>
 #include <palpate/nearest.hpp>
 #include <loop/methods/parallel.hpp>
+#include <loop/methods/refit.hpp>
 #include <loop/methods/relevance.hpp>
 #include <loop/methods/thresholds.hpp>
 
@@ -23,108 +24,6 @@ std::string kind_name(VerdictKind kind) {
 }
 
 namespace {
-
-std::vector<int> lengths_of(const Session& s) {
-  std::vector<int> lengths;
-  for (std::size_t run : s.problem.runs) lengths.push_back(s.forward->blocks(run));
-  return lengths;
-}
-
-/// The linear picture around a model.
-struct Linear {
-  Stacked T, S;
-  MatrixXd whitened_S;
-  Scores scores;
-  std::vector<Column> columns;
-  double chi2 = 0;
-};
-
-bool is_active(const Model& model, const Effect* effect) {
-  return std::any_of(model.active.begin(), model.active.end(), [&](const Active& a) { return a.effect == effect && !effect->repeats; });
-}
-
-Linear linear(Session& s, Model& model, const std::vector<Candidate>& candidates) {
-  Linear l;
-  for (const Column& c : columns_of(candidates))
-    if (!is_active(model, candidates[c.candidate].effect)) l.columns.push_back(c);
-  l.T = tangents(s.problem, model);
-  l.S = secants(s.problem, model, candidates, l.columns);
-  l.whitened_S = whitened(s.problem, s.problem.whiteners, l.S);
-  const VectorXd r = whitened(s.problem, s.problem.whiteners, residual(s.problem, model));
-  l.chi2 = r.squaredNorm();
-  MatrixXd T = whitened(s.problem, s.problem.whiteners, l.T);
-  const auto parameters = fit_parameters(model, *s.set);
-  for (std::size_t j = 0; j < parameters.size(); ++j)  // what is stopped by a bound explains nothing more
-    if (parameters[j].is_stopped(T.col(j).dot(r))) {
-      T.col(j).setZero();
-      l.T.data.col(j).setZero();
-      l.T.rows.col(j).setZero();
-    }
-  l.scores = score(T, l.whitened_S, r, candidates, l.columns, lengths_of(s));
-  return l;
-}
-
-/// A refit that cannot come below `hopeless` is given up early, but where the derivative at the start means little.
-Fit refit_with(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape, double amplitude, double hopeless) {
-  const Range& range = c.effect->entry.parameters[0].range;
-  Model with = model;
-  with.active.push_back({c.effect, std::clamp(amplitude, range.min, range.max), shape});
-  return fitted(s.problem, with, {nullptr, c.effect->probe_of ? std::numeric_limits<double>::infinity() : hopeless});
-}
-
-/// A limit just under the largest force read, on a tissue stiff enough to reach beyond it.
-Fit limit_refit(const Session& s, const Model& model, const Candidate& c, const std::vector<double>& shape) {
-  Model stiff = model;
-  for (std::size_t i = 0; i < stiff.parameters.size(); ++i)
-    if (stiff.law->parameters[i].unit == "MPa") stiff.parameters[i] *= 1.2;
-  return refit_with(s, stiff, c, shape, 0.87 * c.probe, std::numeric_limits<double>::infinity());
-}
-
-/// Two starts: the score's amplitude, and the secant's for effects whose derivative at zero means little.
-Fit column_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int column, double hopeless) {
-  const auto& shape = c.grid[l.columns[column].grid];
-  const double e = l.scores.z[column] / l.scores.norm[column];
-  Fit fit = refit_with(s, model, c, shape, e, hopeless);
-  const double expected = l.scores.z[column] * l.scores.z[column];
-  if (fit.chi2 <= l.chi2 - 0.8 * expected && !c.effect->probe_of) return fit;
-  Fit other = c.effect->told_inverse ? limit_refit(s, model, c, shape) : refit_with(s, model, c, shape, std::copysign(c.probe, e), hopeless);
-  return other.chi2 < fit.chi2 ? other : fit;
-}
-
-/// The best column's refit; where shapes are kinds that a fit cannot move (laws, places), the best of the five best columns, one within
-/// its plausible range before any at its edge.
-Fit best_refit(const Session& s, const Model& model, const Candidate& c, const Linear& l, int best, double hopeless = std::numeric_limits<double>::infinity()) {
-  Fit fit = column_refit(s, model, c, l, best, hopeless);
-  if (c.effect->refines) return fit;
-  std::vector<int> others;
-  for (int j = 0; j < static_cast<int>(l.columns.size()); ++j)
-    if (j != best && l.columns[j].candidate == l.columns[best].candidate && l.scores.norm[j] > 0 && (l.scores.z[j] > 0 || c.is_signed())) others.push_back(j);
-  std::sort(others.begin(), others.end(), [&](int a, int b) { return std::abs(l.scores.z[a]) > std::abs(l.scores.z[b]); });
-  others.resize(std::min<std::size_t>(others.size(), 4));
-  for (int j : others) {
-    Fit other = column_refit(s, model, c, l, j, hopeless);
-    const bool worse = at_the_edge(fit) || made_up(s, model, fit.model), other_worse = at_the_edge(other) || made_up(s, model, other.model);
-    if (std::pair(other_worse, other.chi2) < std::pair(worse, fit.chi2)) fit = std::move(other);
-  }
-  return fit;
-}
-
-/// Which candidates are refitted: the best by score, every instrument, and whatever looks like the best; none whose score is far below
-/// `least`.
-std::vector<int> worth_refitting(const Linear& l, const std::vector<Candidate>& candidates, double least = 0) {
-  std::vector<int> order;
-  for (int c = 0; c < static_cast<int>(candidates.size()); ++c)
-    if (l.scores.best[c] >= 0) order.push_back(c);
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return l.scores.lambda[a] > l.scores.lambda[b]; });
-  std::vector<int> chosen;
-  for (int i = 0; i < static_cast<int>(order.size()); ++i) {
-    const bool instrument = candidates[order[i]].effect->entry.kind == "instrument";
-    const double cosine = std::abs(l.scores.directions.col(l.scores.best[order[i]]).dot(l.scores.directions.col(l.scores.best[order[0]])));
-    if (l.scores.lambda[order[i]] < thresholds::hopeless * std::max(least, l.scores.lambda[order[0]])) continue;
-    if (i < thresholds::refitted || instrument || cosine > 0.9) chosen.push_back(order[i]);
-  }
-  return chosen;
-}
 
 std::vector<Tried> try_all(Session& s, Fit& current, const Linear& l, const std::vector<Candidate>& candidates, const NullDistribution* null) {
   std::vector<Tried> tried;
@@ -180,6 +79,19 @@ double share_of_one_run(const Linear& l, int column, const std::vector<int>& len
   return largest;
 }
 
+/// What speaks against a refitted candidate before runs are left out; empty: nothing. `least`: gain that a further effect must bring.
+std::string against(const Session& s, const Fit& current, const Tried& t, int rows, double least, double threshold_p, bool can_claim) {
+  const Active& own = t.fit.model.active.back();
+  if (can_claim && !(t.p < threshold_p)) return "p above the threshold of this protocol";
+  if (t.lambda < least) return "explains too little of what is still missed";
+  if (at_the_edge(t.fit)) return "its amplitude runs to the edge of what is plausible";
+  if (own.effect->lateral && std::abs(own.amplitude) < 2 * thresholds::prior_lateral_sd) return "no more than how a tool is set up by hand";
+  if (!own.effect->lateral && whitened_change_by_last(s, t.fit.model, rows) < thresholds::visible) return "too small to change any force beyond noise";
+  if (!matters(s, t.fit.model)) return "changes the forces by less than repeatability and curves are known to";
+  if (made_up(s, current.model, t.fit.model)) return "one kind of test does not carry it: it would change other tests beyond all proportion";
+  return "";
+}
+
 /// The best candidate that passes threshold and relevance; −1: none. Writes the reasons. Of a first step that none passes, the best whose gain
 /// is found on runs left out but is no fifth of the excess: one of two effects that hide each other; the search must bear it out.
 int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
@@ -191,33 +103,8 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
   for (int i = 0; i < static_cast<int>(tried.size()); ++i) {
     Tried& t = tried[i];
     if (!t.refitted) continue;
-    if (can_claim && !(t.p < threshold_p)) {
-      t.reason = "p above the threshold of this protocol";
-      continue;
-    }
-    if (t.lambda < least) {
-      t.reason = "explains too little of what is still missed";
-      continue;
-    }
-    if (at_the_edge(t.fit)) {
-      t.reason = "its amplitude runs to the edge of what is plausible";
-      continue;
-    }
-    const Active& own = t.fit.model.active.back();
-    if (own.effect->lateral && std::abs(own.amplitude) < 2 * thresholds::prior_lateral_sd) {
-      t.reason = "no more than how a tool is set up by hand";
-      continue;
-    }
-    if (!own.effect->lateral && whitened_change_by_last(s, t.fit.model, static_cast<int>(l.S.data.rows())) < thresholds::visible) {
-      t.reason = "too small to change any force beyond noise";
-      continue;
-    }
-    if (!matters(s, t.fit.model)) {
-      t.reason = "changes the forces by less than repeatability and curves are known to";
-      continue;
-    }
-    if (made_up(s, current.model, t.fit.model)) {
-      t.reason = "one kind of test does not carry it: it would change other tests beyond all proportion";
+    if (const std::string reason = against(s, current, t, static_cast<int>(l.S.data.rows()), least, threshold_p, can_claim); !reason.empty()) {
+      t.reason = reason;
       continue;
     }
     if (taken >= 0) {
