@@ -58,7 +58,7 @@ Run::Run(Command& c)
 }
 
 void Run::keep(Archive& archive) {
-  archive(meshes_, failed_remeshings_);
+  archive(meshes_, failed_remeshings_, too_large_);
   if (archive.reading() && !meshes_.empty()) {
     *case_ = case_on(settings_, folder_ / meshes_.back(), *case_);
     equilibrium_ = std::make_unique<implicit::Equilibrium>(case_->model, command_.threads());
@@ -135,7 +135,7 @@ bool Run::may_remesh() const {
 
 /// Is the mesh fine enough for the tools as they are now?
 void Run::judge(const Step& step) {
-  if (!may_remesh() || step.index == 0 || step.index == case_->count) return;
+  if (!may_remesh() || too_large_ || step.index == 0 || step.index == case_->count) return;
   marks_ = contact_marks(case_->model, step.state, step.equations.contact, *case_->remesh);
   marked_force_ = driven(*case_, step).force;
   pressing_.pause = !marks_.empty();
@@ -145,9 +145,11 @@ void Run::judge(const Step& step) {
 bool Run::mend() {
   if (!may_remesh()) return false;
   const int failed = failed_remeshings_;
+  const bool too_large = too_large_;
   Archive back(snapshot_);
   keep(back);
   failed_remeshings_ = failed;
+  too_large_ = too_large;
   pressing_.part = 0.5;
   marks_ = trouble_marks(case_->model, state_, trouble_.place_mm, *case_->remesh);
   marked_force_ = results_.force();
@@ -155,7 +157,6 @@ bool Run::mend() {
 }
 
 void Run::give_up_mesh(const std::string& name, const std::string& why) {
-  ++failed_remeshings_;
   std::filesystem::remove(folder_ / name);
   command_.warn("at " + std::to_string(state_.time) + " s: " + why + "; the mesh stays as it is");
 }
@@ -167,6 +168,7 @@ bool Run::remesh(const std::string& why) {
   const auto origins = remeshed(*case_, state_, marks_, folder_, name.str());
   auto fresh = std::make_unique<Case>(case_on(settings_, folder_ / name.str(), *case_));
   if (static_cast<int>(fresh->model.points.size()) > case_->remesh->most_nodes) {
+    too_large_ = true;
     give_up_mesh(name.str(), "a finer mesh would have " + std::to_string(fresh->model.points.size()) + " nodes ([remesh] most_nodes, finest_mm)");
     return false;
   }
@@ -175,6 +177,7 @@ bool Run::remesh(const std::string& why) {
   const double before = implicit::volume(case_->model, state_), carried = implicit::volume(fresh->model, state);
   const auto found = equilibrium->find(state, state.time);
   if (!found) {
+    ++failed_remeshings_;
     give_up_mesh(name.str(), "no equilibrium on a finer mesh: " + equilibrium->trouble().cause);
     return false;
   }
@@ -211,7 +214,7 @@ void Run::go() {
     }, observe_);
     const bool too_coarse = std::exchange(pressing_.pause, false);
     if (too_coarse) {
-      remesh("faces under a tool were too coarse");
+      if (!remesh("faces under a tool were too coarse")) save();
       continue;
     }
     if (!(time_ < end)) break;

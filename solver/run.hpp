@@ -55,7 +55,8 @@ class Run {
   std::vector<std::string> meshes_;       ///< of the remeshings, from the folder; the last one is the case's
   std::string snapshot_;                  ///< of the last reported step, to go back to; none without remeshing
   double marked_force_ = 0;               ///< before it, N
-  int failed_remeshings_ = 0;
+  int failed_remeshings_ = 0;  ///< no equilibrium on the finer mesh
+  bool too_large_ = false;     ///< what the tools ask for would have too many nodes: asked no more; where a step stops it may still be made finer
 };
 
 }  // namespace palpate

@@ -62,6 +62,12 @@ for kind in "" -effects; do
   solve case$kind fine$kind "$(last_mesh remeshed$kind)"
 done
 
+# A finer mesh that would be too large is refused once, and asked for no more: the run ends as without.
+{ cat remesh.toml; printf 'most_nodes = 500\n'; } >small.toml
+"$bin/palpate-solve" small.toml small --mesh block.vtu --threads 1 </dev/null >/dev/null 2>message
+[ "$(grep -c "a finer mesh would have" message)" = 1 ] || fail "not refused once for its size: $(cat message)"
+cmp -s small/history.csv coarse/history.csv || fail "a refused remeshing changes the run"
+
 # Killed after its first remeshing and given again: the same bytes.
 "$bin/palpate-solve" remesh-effects.toml again --mesh block.vtu --threads 1 --quiet </dev/null >/dev/null &
 pid=$!
