@@ -204,9 +204,7 @@ std::vector<double> pooled(const std::vector<double>& squares) {
 
 bool is_clamp(const Set& set) { return set.specimen.shape == "tube"; }
 
-namespace {
-
-ClampCurves solved_in(const Set& set, const fs::path& kept, int threads, const std::function<void(const std::string&)>& remark) {
+ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, const std::function<void(const std::string&)>& remark) {
   ClampCurves curves;
   double deepest = 0;
   std::vector<const Run*> places;
@@ -245,22 +243,6 @@ ClampCurves solved_in(const Set& set, const fs::path& kept, int threads, const s
   curves.scatter = std::sqrt(rough.squares / sites * (static_cast<double>(set.runs.size()) / sites));  // it is the same in all runs of a site
   curves.correlation = std::clamp(rough.neighbours / std::max(rough.squares, 1e-300), 0.0, 0.9);
   return curves;
-}
-
-}  // namespace
-
-ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, const std::function<void(const std::string&)>& remark) {
-  if (!kept.empty()) return solved_in(set, kept, threads, remark);
-  std::string name = (fs::temp_directory_path() / "palpate-solves-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw Failure(ExitCode::unreadable, "cannot make a folder for solves", name, "--solves FOLDER");
-  const struct Goes {
-    fs::path folder;
-    ~Goes() {
-      std::error_code ignored;
-      fs::remove_all(folder, ignored);
-    }
-  } goes{name};
-  return solved_in(set, name, threads, remark);
 }
 
 }  // namespace palpate::loop

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/command.hpp>
 #include <palpate/nearest.hpp>
+#include <palpate/outputs.hpp>
 #include <palpate/text_file.hpp>
 #include <loop/forward/clamp_solves.hpp>
 #include <loop/forward/process.hpp>
@@ -15,6 +16,7 @@
 #include <loop/set/thinned.hpp>
 
 #include <chrono>
+#include <optional>
 
 using namespace palpate;
 namespace fs = std::filesystem;
@@ -52,10 +54,14 @@ void solves_option(Usage& u) {
   u.text("solves", "", "folder that keeps the closings that were solved of a clamp, for the next call; without it every call solves its own");
 }
 
-/// The curves of a clamp, or nothing where there is none.
-std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set) {
+/// The curves of a clamp, or nothing where there is none. Solves that are not to be kept lie in `scratch` until they are read; what a killed run
+/// leaves there the next one removes.
+std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set, const fs::path& scratch) {
   if (!loop::is_clamp(set)) return nullptr;
-  auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, c.text("solves"), c.threads(), [&](const std::string& remark) { c.say(remark); }));
+  std::optional<PendingOutput> goes;
+  fs::path solves = c.text("solves");
+  if (solves.empty()) solves = goes.emplace(scratch / "palpate-solves", PendingOutput::Kind::folder, true).temporary();
+  auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, solves, c.threads(), [&](const std::string& remark) { c.say(remark); }));
   set.clamp_form_sd = curves->form_sd;
   set.clamp_scatter = curves->scatter;
   set.clamp_correlation = curves->correlation;
@@ -63,7 +69,7 @@ std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set) {
 }
 
 loop::Session prepared(Command& c, loop::Set& set) {
-  const auto clamp = clamp_of(c, set);
+  const auto clamp = clamp_of(c, set, fs::temp_directory_path());
   return loop::prepared(set, [&](loop::Forward& forward) { forward.use(clamp); });
 }
 
@@ -126,8 +132,8 @@ void null_sets_option(Usage& u) {
   u.integer("null-sets", loop::thresholds::null_sets, {100, 100000}, "bootstrapped sets without effect from which the threshold comes");
 }
 
-loop::Searched searched(Command& c, loop::Set& set, const std::vector<loop::SiteCurve>& curves = {}) {
-  const auto clamp = clamp_of(c, set);
+loop::Searched searched(Command& c, loop::Set& set, const std::vector<loop::SiteCurve>& curves = {}, const fs::path& scratch = fs::temp_directory_path()) {
+  const auto clamp = clamp_of(c, set, scratch);
   const auto correct = [&](loop::Forward& forward) {
     forward.use(clamp);
     for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
@@ -248,7 +254,7 @@ void run_of_run(Command& c) {
   loop::Set set = sound_set(c);
   c.say("null model and noise");
   const auto curves = curves_of(c, set);
-  const loop::Searched s = searched(c, set, curves);
+  const loop::Searched s = searched(c, set, curves, c.output("result"));
   const loop::Confirmation confirmation = confirmed(c, s);
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};

@@ -1,10 +1,11 @@
 // Three-node shell triangle: constant membrane strain, constant curvature from directors at the middles of the edges (Morley 1971),
 // finite rotations, hyperelastic through five points of the thickness. Decision 050.
 //   a = FᵀF,  h = Σ_k 4 tan(φ_k/4) (L_k/l_k) P_k,  P_k = (L_k/A) M_k ⊗ M_k,  K = 2 h − (b0 a + a b0),
-//   C(ζ) = a + ζ K + ½ ζ² K a⁻¹ K σ²/(1 + σ²),  σ² = ζ² tr(K a⁻¹)²
+//   C(ζ) = a + ζ K + (⁴√(p⁴ + σ⁴) − p) K a⁻¹ K / tr(K a⁻¹)²,  σ² = ζ² tr(K a⁻¹)²
 // φ_k: angle from the triangle's normal to the director of edge k; L, l, M: the edge's length at rest and now, its outward normal at
 // rest. h is the curvature times the stretch of the thickness, so C is linear in ζ as it is in Rivlin's bent block; the last term, of
-// fourth order, keeps C positive where a triangle is folded more sharply than its thickness allows.
+// fourth order, keeps C above 1 − p where a triangle is folded more sharply than its thickness allows: 1 − σ + (⁴√(p⁴ + σ⁴) − p) falls to it,
+// and the moment grows with every turn.
 // (Morley, J. Strain Analysis 6:20; Providas & Kattis 1999, Comput. Mech. 24:208; Rivlin 1949, Proc. R. Soc. A 195:463.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -20,6 +21,8 @@ using materials::InPlane;
 constexpr int layers = 5;
 constexpr std::array<double, layers> layer_place{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
 constexpr std::array<double, layers> layer_weight{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+
+constexpr double most_shortening = 0.9;  ///< p: of the square of a length across a fold, at its inner side
 
 /// At rest, in the triangle's own plane. Edge k lies opposite corner k. T: double or Lanes.
 template <class T>
@@ -92,9 +95,22 @@ PALPATE_INLINE ShellStrain<T> shell_strain(const ShellRest<T>& rest, const Shell
   return s;
 }
 
+/// The last term is q K a⁻¹ K: q by ζ² and tr(K a⁻¹)², and its slope by the latter.
+template <class T>
+struct Fold {
+  T q, slope;
+};
+
+template <class T>
+PALPATE_INLINE Fold<T> fold(const T& square, const T& k2) {
+  constexpr double p = most_shortening;
+  const T sigma2 = square * k2, r2 = root(T{} + p * p * p * p + sigma2 * sigma2), r = root(r2), over = 1.0 / ((r + p) * (r2 + p * p));  // (r − p)/σ⁴
+  return {square * sigma2 * over, square * square * (0.5 / (r * r2) - over)};
+}
+
 template <class T>
 PALPATE_INLINE InPlane<T> at_layer(const ShellStrain<T>& s, const T& zeta) {
-  const T square = zeta * zeta, sigma2 = square * s.k2, q = 0.5 * square * sigma2 / (1.0 + sigma2);
+  const T q = fold(zeta * zeta, s.k2).q;
   return {s.a.xx + zeta * s.K.xx + q * s.Q.xx, s.a.yy + zeta * s.K.yy + q * s.Q.yy, s.a.xy + zeta * s.K.xy + q * s.Q.xy};
 }
 
@@ -134,9 +150,9 @@ PALPATE_INLINE void add_layer(const ShellStrain<T>& s, const T& zeta, const T& w
   const InPlane<T> S{w * stress.xx, w * stress.yy, w * stress.xy};
   sum.N = {sum.N.xx + S.xx, sum.N.yy + S.yy, sum.N.xy + S.xy};
   sum.M = {sum.M.xx + zeta * S.xx, sum.M.yy + zeta * S.yy, sum.M.xy + zeta * S.xy};
-  const T square = zeta * zeta, over = 1.0 / (1.0 + square * s.k2), q = 0.5 * square * (square * s.k2) * over;
+  const auto [q, slope] = fold(zeta * zeta, s.k2);
   sums.H = {sums.H.xx + q * S.xx, sums.H.yy + q * S.yy, sums.H.xy + q * S.xy};
-  sums.r += 0.5 * square * square * over * over * (S.xx * s.Q.xx + S.yy * s.Q.yy + 2.0 * (S.xy * s.Q.xy));
+  sums.r += slope * (S.xx * s.Q.xx + S.yy * s.Q.yy + 2.0 * (S.xy * s.Q.xy));
 }
 
 template <class T, class Law>

@@ -45,6 +45,16 @@ sed 's/^speed.*/speed_mm_s = 200/; s/^frames.*/frames = 10/' case.toml > thin.to
 "$bin/test-wall-crossings" thin 1
 if "$bin/test-wall-crossings" thin 0.01 >/dev/null; then echo "blocks with sharp edges are not seen to be crossed"; exit 1; fi
 
+# where the jaws will fold the tube edges are half as long, and only there
+"$bin/palpate-mesh" tube.vtp folds.vtu --kind shell --thickness 0.8 --offset -0.4 --focus=0,0,30 --focus-radius 8 --jaws-axis=0,-1,0 --quiet
+python3 - <<'PY'
+import json
+plain, folds = (json.load(open(f + ".vtu.card.json"))["notes"]["triangles"] for f in ("thin", "folds"))
+if not 1.05 * plain < folds < 2 * plain:
+    raise SystemExit(f"{plain} triangles, {folds} with folds")
+PY
+if "$bin/palpate-mesh" tube.vtp nowhere.vtu --kind shell --jaws-axis=0,-1,0 --quiet 2>message || ! grep -q 'folds lie at a --focus' message; then echo "folds without a focus are not refused"; exit 1; fi
+
 # a tension on the inner face: with time to settle the wall is at rest when the jaws begin, without it swings
 sed 's/^speed.*/speed_mm_s = 400\ngap_mm = 20/' case.toml > skin.toml
 printf '[[effect]]\nname = "capsule"\nE_h = 0\ntension = 0.02\nface = "inner"\n' >> skin.toml
