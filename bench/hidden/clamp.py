@@ -2,7 +2,7 @@
 # Makes sets of a clamped tube with something hidden in it: palpate-solve closes and opens finer, slower walls than the loop solves, noise is added,
 # and the answers go to a file of their own.
 # SPDX-License-Identifier: GPL-3.0-or-later
-#   clamp.py BIN SOLVES FOLDER [--effects none,zone,viscosity,friction,jaw_angle] [--seed N] [--nulls N] [--repeatability PERCENT] [--coarse]
+#   clamp.py BIN SOLVES FOLDER [--effects none,zone,viscosity,friction,jaw_angle] [--seed N] [--nulls N] [--repeatability PERCENT] [--coarse] [--middle]
 # BIN: the executables. SOLVES: curves are kept there. FOLDER gets one set per effect, and answers.jsonl. --coarse: one place and a coarse
 # mesh, for tests. Time: the solver's, times SCALE; a quasi-static wall knows no other time than its relaxation.
 import argparse
@@ -19,8 +19,9 @@ SENSOR = 0.002  # N
 
 class Rig:
     """Where the jaws close, on which mesh, how far."""
-    def __init__(self, coarse):
+    def __init__(self, coarse, middle):
         self.length, self.sites = (60.0, [30.0]) if coarse else (80.0, [24.0, 40.0, 56.0])
+        self.sites = self.sites[len(self.sites) // 2:][:1] if middle else self.sites
         self.edges = (3.6, 3.6) if coarse else (2.0, 3.2)  # at the jaws, elsewhere
         self.edges_slow = (4.5, 4.5) if coarse else (3.3, 4.4)  # of runs with relaxation, which take ten times as long
         self.gap, self.gap_sealed, self.speed, self.hold_s = 3.8, 6.0, 180.0, 0.1
@@ -42,7 +43,7 @@ def mesh(a, rig, knobs, site):
     file = a.solves / f"{name}.vtu"
     if not file.exists():
         call(a.bin / "palpate-mesh", tube, file, "--kind", "shell", "--thickness", WALL, "--offset", -WALL / 2, "--edge", edges[1], f"--focus=0,0,{site}",
-             "--focus-edge", edges[0], "--focus-radius", 11, "--quiet", *words)
+             "--focus-edge", edges[0], "--focus-radius", 11, "--jaws-axis=0,-1,0", "--quiet", *words)
     return file
 
 
@@ -159,9 +160,10 @@ def main():
     parser.add_argument("--nulls", type=int, default=1, help="sets without effect")
     parser.add_argument("--repeatability", type=float, default=1.0)
     parser.add_argument("--coarse", action="store_true")
+    parser.add_argument("--middle", action="store_true", help="jaws close at the middle place only")
     a = parser.parse_args()
     a.solves.mkdir(parents=True, exist_ok=True)
-    rig, number = Rig(a.coarse), 0
+    rig, number = Rig(a.coarse, a.middle), 0
     for effect in a.effects.split(","):
         for _ in range(a.nulls if effect == "none" else 1):
             number += 1

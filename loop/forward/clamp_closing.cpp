@@ -51,10 +51,11 @@ fs::path wall_file(const Bench& b, const Run& run, const Closing& job, const fs:
   const fs::path tube = folder / "tube.vtp", wall = folder / "wall.vtu", log = folder / "log.txt";
   run_program(b.tube_program, {tube.string(), "--diameter", number(s.size_mm[0]), "--length", number(s.size_mm[2]), "--edge", "1.5", "--quiet"}, log);
   const std::string at = number(run.point_mm[0]) + "," + number(run.point_mm[1]) + "," + number(run.point_mm[2]);
+  const std::string axis = number(run.axis[0]) + "," + number(run.axis[1]) + "," + number(run.axis[2]);
   for (double coarser : {1.4, 1.5, 1.3}) {  // of the edges elsewhere; palpate-mesh refuses what misses its limits
     try {
       run_program(b.mesh_program, {tube.string(), wall.string(), "--kind", "shell", "--thickness", number(s.wall_mm), "--offset", number(-s.wall_mm / 2), "--edge",
-                                   number(coarser * job.edge_mm), "--focus=" + at, "--focus-edge", number(job.edge_mm), "--focus-radius", "10", "--quiet"}, log);
+                                   number(coarser * job.edge_mm), "--focus=" + at, "--focus-edge", number(job.edge_mm), "--focus-radius", "10", "--jaws-axis=" + axis, "--quiet"}, log);
       break;
     } catch (const Failure&) {
       if (coarser == 1.3) throw;

@@ -11,6 +11,7 @@
 #include <pipeline/mesh/fill.hpp>
 #include <pipeline/mesh/improve.hpp>
 #include <pipeline/mesh/improve_shell.hpp>
+#include <pipeline/mesh/jaws_place.hpp>
 #include <pipeline/mesh/open_tube.hpp>
 #include <pipeline/mesh/quality.hpp>
 #include <pipeline/mesh/shell_mesh.hpp>
@@ -39,6 +40,8 @@ void usage(Usage& u) {
   u.real("focus-edge", {}, "mm", {1e-3, 1e3}, "edge length around a focus; default: half the edge length elsewhere");
   u.real("focus-radius", {}, "mm", {0, 1e4}, "radius around a focus with the fine edge length; default: four fine edges");
   u.real("grading", {}, "mm", {0, 1e4}, "distance beyond the radius over which edges grow to their length elsewhere; default: four edges");
+  u.real("jaws-place", {}, "mm", {0, 1e5}, "where jaws will close, along the centre line: a focus with folds; their centre_mm, axis and along are printed for the case's [clamp] (shell)");
+  u.real("jaws-angle", 0, "deg", {-360, 360}, "of these jaws about the centre line, from the direction nearest to -Y (shell)");
   u.points("jaws-axis", "DX,DY,DZ: the way jaws will close on a tube at the focus; where it will fold, on both sides, edges are --fold-edge (shell)");
   u.real("fold-edge", {}, "mm", {1e-3, 1e3}, "edge length in these folds; default: half of --focus-edge (shell)");
   u.real("min-dihedral", 8, "deg", {0, 60}, "smallest dihedral angle of a tetrahedron that is accepted");
@@ -93,8 +96,8 @@ void check_file(Command& c, const TetMesh& mesh, double surface_volume) {
 }
 
 /// Edges in a fold over those beside it.
-double fold_share(const Command& c, const SizeField& sizes) {
-  if (c.points("jaws-axis").size() != 1 || sizes.focus.empty() || !(norm(c.points("jaws-axis").front()) > 0))
+double fold_share(const Command& c, const SizeField& sizes, const std::vector<Vec3>& axes) {
+  if (axes.size() != 1 || sizes.focus.empty() || !(norm(axes.front()) > 0))
     throw Failure(ExitCode::misuse, "--jaws-axis is one direction, and folds lie at a --focus", "", "--focus X,Y,Z --jaws-axis 0,-1,0");
   return std::min(1.0, (c.has("fold-edge") ? c.real("fold-edge") : sizes.focus_edge / 2) / sizes.focus_edge);
 }
@@ -107,10 +110,15 @@ std::function<double(const Vec3&)> shell_sizes(const Command& c, const CentreLin
   sizes.focus_radius = c.has("focus-radius") ? c.real("focus-radius") : 4 * sizes.focus_edge;
   sizes.grading = c.has("grading") ? c.real("grading") : 4 * sizes.edge;
   sizes.focus = c.points("focus");
+  auto axes = c.points("jaws-axis");
+  if (c.has("jaws-place")) {
+    const JawsPlace jaws = jaws_at(line, c.real("jaws-place"), c.real("jaws-angle"));
+    sizes.focus.push_back(jaws.centre);
+    axes.push_back(jaws.axis);
+  }
   std::vector<double> focus;
   for (const Vec3& x : sizes.focus) focus.push_back(line.project(x));
-  const auto axes = c.points("jaws-axis");
-  const double in_folds = axes.empty() ? 1 : fold_share(c, sizes), half_width = 1.5 * c.real("thickness");
+  const double in_folds = axes.empty() ? 1 : fold_share(c, sizes, axes), half_width = 1.5 * c.real("thickness");
   const Vec3 axis = axes.empty() ? Vec3{0, 0, 0} : axes.front();
   return [=](const Vec3& x) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -177,6 +185,7 @@ void mesh_shell(Command& c) {
   c.note("thickness_mm", {*thinnest, *thickest});
   write_shells(c.output("mesh"), mesh);
   check_shell(c, read_shells(c.output("mesh")), area, meshed);
+  if (c.has("jaws-place")) c.print(clamp_lines(jaws_at(line, c.real("jaws-place"), c.real("jaws-angle"))));
 }
 
 }  // namespace

@@ -89,6 +89,9 @@ void read_steps(const Settings& settings, Case& c) {
   c.damping = s.real("damping_1_s", c.damping, {0, 1e9});
   c.least_step = s.real("least_step_s", 0, {0, 1});
   c.kinetic_part = s.real("kinetic_part", 0, {0, 1});
+  c.rest_part = s.real("rest_part", 0, {0, 1});
+  if (c.rest_part > 0 && (c.clamp.pressure || c.clamp.opens))
+    throw Failure(ExitCode::misuse, "rest is sought where the jaws stop, and these go on", s.where("rest_part"), "leave it out, or let the jaws close by a motion and stay");
   c.settle = s.real("settle_s", 0, {0, 1e3});
   if (c.kinetic_part > 0 && c.clamp.pressure)
     throw Failure(ExitCode::misuse, "a jaw that a pressure drives does not wait", s.where("kinetic_part"), "leave it out, or [clamp] speed_mm_s instead of pressure_MPa");

@@ -24,6 +24,7 @@ struct Case {
   double damping = 10;      ///< 1/s, of all velocities of the wall
   double self_friction = 0;
   double least_step = 0;    ///< s: nodes get mass until every triangle is stable with it; 0: none
+  double rest_part = 0;     ///< of the internal energy, that the kinetic one is brought below at the end; 0: it is not
   double kinetic_part = 0;  ///< of the internal energy, that the jaws wait for; 0: they do not
   double settle = 0;        ///< s before the jaws begin: layers' tensions grow, the wall comes to rest
   int frames = 10, rows = 200;

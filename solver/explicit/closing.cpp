@@ -23,6 +23,7 @@ constexpr double least_pace = 0.02;
 constexpr double slowing = 0.5e-3, quickening = 5e-3;  ///< s
 constexpr double waiting_damping = 800;        ///< 1/s, where the jaws stand still
 constexpr double settling_damping = 400;       ///< 1/s, before the jaws begin
+constexpr long longest_rest = 200000;           ///< cycles
 constexpr double pressure_duration = 0.1;      ///< s, where the case does not say
 
 std::string place(const Wall& wall, int t) {
@@ -119,6 +120,22 @@ void Closing::advance(double dt) {
   if (++cycles % cycles_between_paces == 0) keep_pace();
 }
 
+/// Dynamic relaxation: with the jaws where they are everything is stopped whenever its kinetic energy has a peak, where what is stored has a
+/// trough. (Cundall 1976; Barnes 1999, Int. J. Space Struct. 14:89.)
+void Closing::relax() {
+  double before = 0;
+  for (const long until = cycles + longest_rest; cycles < until; before = motion.kinetic()) {
+    if (cycles >= judged_again_) judge();
+    for (int i = 0; i < cycles_between_paces; ++i) advance(step_);
+    if (motion.kinetic() <= c.rest_part * std::abs(motion.internal())) {
+      if (before == 0) return;  // it does not leave its rest
+      motion.halt();
+    } else if (motion.kinetic() < before) {
+      motion.halt();
+    }
+  }
+}
+
 /// What no later step mends: a mid-surface in a jaw or in another, energy from nowhere.
 void Closing::expect_sound(const Row& row) const {
   const auto stop = [&](const std::string& what, int t, const std::string& next) {
@@ -162,6 +179,10 @@ void Closing::run(const std::function<void(const Row&)>& row_done, const std::fu
     since += dt;
     if (clock_ < end * (rows_ + 1) / c.rows) continue;
     ++rows_;
+    if (rows_ == c.rows && c.rest_part > 0) {
+      relax();
+      row.force = jaws.force_on_wall(), since = 1;
+    }
     const Eigen::Vector3d mean = row.force / since;
     contact();
     row = {motion.time(), jaws.travel(), jaws.gap(), mean, mean.dot(c.clamp.axis), 0, self.area(), cycles, step_, motion.ledger()};

@@ -54,6 +54,7 @@ struct Closing {
   void keep_pace();
   void contact();
   void judge();
+  void relax();
   void expect_sound(const Row& row) const;
   double step_ = 0, stiffness_ = 0, first_stable_ = 0, shortest_edge_ = 0;
   double clock_ = 0, pace_ = 1;  ///< of the jaws: s, and how much slower than asked they go

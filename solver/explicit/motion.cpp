@@ -132,8 +132,20 @@ void Motion::step(double dt) {
   dt_before_ = dt;
 }
 
+/// Works are found between steps half a step on; what that adds is kept, for from rest there is no half step to carry.
+void Motion::halt() {
+  const Ledger moving = ledger();
+  std::fill(state.v.begin(), state.v.end(), Lanes{});
+  std::fill(state.spin.begin(), state.spin.end(), 0.0);
+  dt_before_ = 0;
+  const Ledger still = ledger();
+  halted_.external += moving.external - still.external;
+  halted_.contact += moving.contact - still.contact;
+  halted_.damping += moving.damping - still.damping + moving.kinetic;
+}
+
 Ledger Motion::ledger() const {
-  Ledger l;
+  Ledger l = halted_;
   const double half = dt_before_ / 2;
   for (std::size_t i = 0; i < wall_.rest.size(); ++i) {
     const Lanes force = outside.load[i] + outside.contact[i] - inner_force(i);
@@ -186,7 +198,7 @@ std::pair<double, int> Motion::stable() const {
 
 void Motion::keep(Archive& a) {
   a(state.x, state.v, state.director, state.spin, outside.load, outside.contact, outside.moment, damping);
-  a(slots_.force, slots_.moment, slots_.energy, tangent_, work_, edge_work_, time_, dt_before_, tool_work_);
+  a(slots_.force, slots_.moment, slots_.energy, tangent_, work_, edge_work_, time_, dt_before_, tool_work_, halted_);
 }
 
 std::vector<Lanes> Motion::residual() const {

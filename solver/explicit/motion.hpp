@@ -48,6 +48,8 @@ class Motion {
 
   /// One step of length dt (s).
   void step(double dt);
+  /// Stops everything where it is; what it had counts as damping.
+  void halt();
   /// Adds what tools put in during the last step.
   void add_tool_work(double work) { tool_work_ += work; }
 
@@ -81,6 +83,7 @@ class Motion {
   std::vector<double> work_;    ///< per node: load, contact, damping
   std::vector<double> edge_work_;
   double time_ = 0, dt_before_ = 0, tool_work_ = 0;
+  Ledger halted_;  ///< of motions that were stopped between two steps
   struct Team;
   std::unique_ptr<Team> team_;
 };

@@ -38,6 +38,21 @@ if not abs(slow["last_force_N"] / fast["last_force_N"] - 1) <= 0.05:  # the end 
     raise SystemExit(f"forces at the end: {fast['last_force_N']} and {slow['last_force_N']} N")
 PY
 
+# dynamic relaxation: the last row is at rest, with the force of the quasi-static closing, and the energies still balance
+sed 's/^frames/rest_part = 1e-6\nframes/' case.toml > rest.toml
+"$bin/palpate-solve" rest.toml rest --quiet >/dev/null
+python3 - <<'PY'
+import csv, json
+last, slow = (float(list(csv.DictReader(open(f + "/history.csv")))[-1]["F[N]"]) for f in ("rest", "slow"))
+row, s = list(csv.DictReader(open("rest/history.csv")))[-1], json.load(open("rest/summary.json"))
+if not float(row["kinetic[mJ]"]) <= 2e-6 * float(row["internal[mJ]"]):
+    raise SystemExit(f"not at rest: {row}")
+if not (abs(last / slow - 1) <= 0.05 and s["energy_imbalance_part"] <= 0.01):
+    raise SystemExit(f"forces {last} and {slow} N, balance {s['energy_imbalance_part']}")
+PY
+sed 's/^frames/rest_part = 1e-6\nframes/; s/^speed.*/speed_mm_s = 400\nopens = true/' case.toml > bad.toml
+if "$bin/palpate-solve" bad.toml bad --quiet 2>message || ! grep -q 'rest is sought where the jaws stop' message; then echo "a rest of opening jaws is not refused"; exit 1; fi
+
 # a thin wall closed at twice the sweep's speed: by CGAL nothing crosses, neither the wall itself nor a jaw, whose rounded edge two nodes straddle
 "$bin/palpate-mesh" tube.vtp thin.vtu --kind shell --thickness 0.8 --offset -0.4 --focus=0,0,30 --focus-radius 8 --quiet
 sed 's/^speed.*/speed_mm_s = 200/; s/^frames.*/frames = 10/' case.toml > thin.toml
@@ -53,6 +68,9 @@ plain, folds = (json.load(open(f + ".vtu.card.json"))["notes"]["triangles"] for 
 if not 1.05 * plain < folds < 2 * plain:
     raise SystemExit(f"{plain} triangles, {folds} with folds")
 PY
+# the same by centre line and angle, with what the case says of the jaws
+"$bin/palpate-mesh" tube.vtp placed.vtu --kind shell --thickness 0.8 --offset -0.4 --jaws-place 30 --focus-radius 8 --quiet >placed.txt
+grep -qE '^axis = \[-?[0-9.e-]+, -1, ' placed.txt || { echo "jaws placed at:"; cat placed.txt; exit 1; }
 if "$bin/palpate-mesh" tube.vtp nowhere.vtu --kind shell --jaws-axis=0,-1,0 --quiet 2>message || ! grep -q 'folds lie at a --focus' message; then echo "folds without a focus are not refused"; exit 1; fi
 
 # a tension on the inner face: with time to settle the wall is at rest when the jaws begin, without it swings
