@@ -49,9 +49,12 @@ Closing::Closing(Case& the_case, int threads)
 void Closing::contact() {
   auto& force = motion.outside.contact;
   std::fill(force.begin(), force.end(), Lanes{});
-  jaws.touch(c.wall, motion.state, stiffness_, contact_damping, force);
+  self_force_.assign(force.size(), Lanes{});
+  motion.together([&] { jaws.touch(c.wall, motion.state, stiffness_, contact_damping, force); },
+                  [&] { self.touch(motion.state, {stiffness_ / 2, contact_damping, c.self_friction}, self_force_); });
   motion.add_tool_work(jaws.take_work());
-  self.touch(motion.state, {stiffness_ / 2, contact_damping, c.self_friction}, force);
+  if (self.touching())
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] += self_force_[i];
   if (c.beds.empty()) return;
   std::fill(motion.outside.load.begin(), motion.outside.load.end(), Lanes{});
   press(c.beds, c.wall, motion.state, motion.outside.load);

@@ -62,6 +62,7 @@ struct Closing {
   long judged_again_ = 0;
   int rows_ = 0, frames_ = 0;   ///< done; a run that is continued has some
   std::vector<double> node_area_;
+  std::vector<Lanes> self_force_;
 };
 
 }  // namespace palpate::explicit_shell

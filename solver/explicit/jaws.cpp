@@ -158,6 +158,7 @@ Vector3d Jaws::tractions_on(int j, int i, const tools::Distance& d, double norma
 }
 
 void Jaws::remember() {
+  if (clamp_.tractions.empty()) return;
   for (int j : {0, 1})
     for (int i : near_nodes_[j]) slips_[j][i] = slips_now_[j][i], slips_now_[j][i] = {};
 }
@@ -172,7 +173,10 @@ void Jaws::touch_between(int j, const Wall& wall, double stiffness, std::vector<
     const auto& n = wall.triangles[t];
     const std::array<Lanes, 3> x{local_[n[0]], local_[n[1]], local_[n[2]]};
     const double clear = clear_chord * std::min({wall.thickness[n[0]], wall.thickness[n[1]], wall.thickness[n[2]]}), within = r + clear;
-    if (std::max({x[0][2], x[1][2], x[2][2]}) < -half[2] - within) continue;
+    const auto beyond = [&](int axis) {
+      return std::min({x[0][axis], x[1][axis], x[2][axis]}) > half[axis] + within || std::max({x[0][axis], x[1][axis], x[2][axis]}) < -half[axis] - within;
+    };
+    if (beyond(2) || beyond(1) || beyond(0)) continue;
     if (over_face(x[0]) && over_face(x[1]) && over_face(x[2])) continue;  // its nodes say it all
     const auto near = nearest_to_block(x, half, within);
     if (!(near.distance < within) || !(near.distance > 0)) continue;

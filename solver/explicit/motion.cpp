@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <barrier>
+#include <exception>
 #include <thread>
 
 namespace palpate::explicit_shell {
@@ -77,6 +78,21 @@ void Motion::phase(int count, int grain, const std::function<void(int, int)>& wo
   team_->run([&](int t) {
     work(static_cast<int>(static_cast<long long>(count) * t / threads), static_cast<int>(static_cast<long long>(count) * (t + 1) / threads));
   });
+}
+
+void Motion::together(const std::function<void()>& one, const std::function<void()>& other) const {
+  std::array<std::exception_ptr, 2> thrown;
+  const auto guarded = [&](int which) {
+    try {
+      which == 0 ? one() : other();
+    } catch (...) {
+      thrown[which] = std::current_exception();
+    }
+  };
+  if (team_) team_->run([&](int t) { if (t < 2) guarded(t); });
+  else guarded(0), guarded(1);
+  for (const auto& exception : thrown)
+    if (exception) std::rethrow_exception(exception);
 }
 
 void Motion::find_forces(int from, int to, double dt) {

@@ -50,6 +50,8 @@ class Motion {
   void step(double dt);
   /// Stops everything where it is; what it had counts as damping.
   void halt();
+  /// Two pieces of work that touch nothing in common, at the same time where there are threads. What either throws is thrown here, the first's first.
+  void together(const std::function<void()>& one, const std::function<void()>& other) const;
   /// Adds what tools put in during the last step.
   void add_tool_work(double work) { tool_work_ += work; }
 
