@@ -131,18 +131,18 @@ void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equili
 
 void Sensitivities::keep(Archive& archive) {
   const auto keep_one = [&](Shadow& shadow) {
-    archive(shadow.state, shadow.force_rates, shadow.depth_rate);
+    archive(shadow.state, shadow.shifts, shadow.force_rates, shadow.depth_rate);
     if (shadow.own) archive(*shadow.own);
     for (auto& tool : shadow.the_case.model.tools) archive(tool.first_contact);
   };
   keep_one(*still_);
   for (auto& shadow : shadows_) keep_one(*shadow);
   archive(table_);
+  if (implicit::remembers(still_->the_case.model)) archive(known_);
 }
 
 /// The shadow at the run's new displacements, with its own memory and numbers.
 void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
-  if (found.time != shadow.state.time) shadow.assembly.remember(shadow.state);
   shadow.state.memory_time = found.memory_time;  // also where the run began
   shadow.state.nodal = found.nodal;
   shadow.state.bubbles = found.bubbles;
@@ -150,7 +150,11 @@ void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
   shadow.state.pair_pressures = found.pair_pressures;
   shadow.state.travels = found.travels;
   shadow.state.time = found.time;
-  shadow.equations = shadow.assembly(shadow.state, scratch_);
+  if (&shadow == still_.get()) {
+    implicit::State at = shadow.state;
+    shadow.assembly(at, scratch_, &known_);
+  }
+  shadow.equations = shadow.assembly.beside(shadow.state, known_, shadow.shifts, scratch_);
 }
 
 /// By the number at fixed displacements, and by the displacements along the tangent: to first order in exact arithmetic the forces of the
@@ -206,12 +210,17 @@ void Sensitivities::step_aside(Shadow& shadow, const implicit::Increment& step) 
   for (std::size_t i = 0; i < step.travels.size(); ++i) shadow.state.travels[i] += step.travels[i];
   shadow.state.contact_pressures = std::move(pressures);
   shadow.state.pair_pressures = std::move(pair_pressures);
-  const auto equations = shadow.assembly(shadow.state, scratch_);  // solves the bubbles there
-  if (implicit::has_friction(model)) implicit::remember_slips(model, equations.contact.points, shadow.state);
+  shadow.assembly.let_bubbles_follow(shadow.state, known_, step.nodal);
+  if (implicit::has_friction(model)) implicit::remember_slips(model, shadow.assembly.without_tissue(shadow.state, scratch_).contact.points, shadow.state);
 }
 
 void Sensitivities::follow(const implicit::State& found) {
   const int count = static_cast<int>(shadows_.size());
+  const auto remember = [&](Shadow& shadow) {
+    if (found.time != shadow.state.time && !shadow.own) shadow.assembly.remember(shadow.state, &known_, &shadow.shifts);
+  };
+  remember(*still_);  // all of them before it is known where the run has come to
+  for (auto& shadow : shadows_) remember(*shadow);
   approach(*still_, found);
   const VectorXd still_prescribed = prescribed(still_->the_case.model, found.time);
   MatrixXd residual_changes(found.nodal.size(), count), prescribed_changes(found.nodal.size(), count);

@@ -22,6 +22,7 @@ struct Shadow {
   Case the_case;
   implicit::Assembly assembly;
   implicit::State state;
+  implicit::LawShifts shifts;
   implicit::Equations equations;  ///< at the run's displacements
   std::vector<Eigen::Vector3d> force_rates;  ///< of the reported forces, by the number
   std::unique_ptr<implicit::Equilibrium> own;  ///< of a secant, which has a run of its own
@@ -64,6 +65,7 @@ class Sensitivities {
   int threads_;
   implicit::Equilibrium* equilibrium_;
   std::unique_ptr<Shadow> still_;  ///< nothing moved: what rounding does to the others, it does to this one too
+  implicit::Neighbourhood known_;  ///< of where the run is
   implicit::BlockMatrix scratch_;
   std::vector<std::unique_ptr<Shadow>> shadows_;
   std::string table_;

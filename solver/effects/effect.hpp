@@ -7,7 +7,7 @@
 
 #include <palpate/catalogue.hpp>
 #include <solver/contact/touch.hpp>
-#include <solver/materials/law.hpp>
+#include <solver/materials/known_law.hpp>
 
 namespace palpate::effects {
 
@@ -24,6 +24,8 @@ struct Point {
   double dt = 0;    ///< s since the memory was written; 0: at that very moment
   materials::Kinematics kinematics = materials::Kinematics::finite;
   double modulus = 1;  ///< factor on the law, see Start
+  const materials::KnownLaw* known = nullptr;  ///< asked instead of the law; then the stress alone is wanted, no tangent
+  materials::KnownLaw* learns = nullptr;       ///< is told what the law said
 };
 
 /// The response of the law with the effects inside this one, as a function of F.

@@ -37,6 +37,8 @@ Response respond(const Inner& inner, const Point& point, std::span<const double>
   const double rate = std::sqrt(raised.cwiseProduct(E).sum()), x = rate / p[1];
   const double over_rate = x == 0 ? 1 / p[1] : std::log1p(x) / rate;  // ln(1 + x)/ε̇
   const Mat3 S = s * over_rate * raised;
+  add_second_stress(r, point, S);
+  if (point.known) return r;  // no tangent is asked for
   // ∂S/∂Ė = s [ln(1 + x)/ε̇ (⅔ C⁻¹⊙C⁻¹ − N⊗N) + N⊗N/(ε̇0 + ε̇)], N = ∂ε̇/∂Ė
   const Mat3 F = small ? Mat3(Mat3::Identity()) : point.F;
   const Mat3 FM = F * metric, FMF = FM * F.transpose();
@@ -48,7 +50,6 @@ Response respond(const Inner& inner, const Point& point, std::span<const double>
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) r.A(i + 3 * j, k + 3 * l) += isotropic * 0.5 * (FMF(i, k) * metric(j, l) + FM(i, l) * FM(k, j));
   r.A += along * n * n.transpose();
-  add_second_stress(r, point, S);
   return r;
 }
 

@@ -13,7 +13,7 @@ struct Chain {
   int count;
 
   materials::Response operator()(const materials::Mat3& F) const {
-    if (count == 0) return material.respond(F, point.modulus);
+    if (count == 0) return material.respond(F, point.modulus, point.known, point.learns);
     const auto& last = material.effects[count - 1];
     const Chain within{material, point, memory, count - 1};
     effects::Point here = point;
@@ -32,8 +32,9 @@ void Material::add(const effects::Effect& effect, std::vector<double> effect_par
   effects.push_back({{effect, std::move(effect_parameters)}, memory(), size});
 }
 
-materials::Response Material::respond(const materials::Mat3& F, double modulus) const {
-  materials::Response r = law.respond(F, parameters);
+materials::Response Material::respond(const materials::Mat3& F, double modulus, const materials::KnownLaw* known, materials::KnownLaw* learns) const {
+  materials::Response r = known ? known->at(F) : law.respond(F, parameters);
+  if (learns) learns->learn(F, r);
   if (modulus == 1) return r;
   r.W *= modulus;
   r.P *= modulus;

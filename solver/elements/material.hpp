@@ -29,7 +29,7 @@ struct Material {
   int memory() const { return effects.empty() ? 0 : effects.back().memory_at + effects.back().memory; }
 
   /// The law alone, times a factor.
-  materials::Response respond(const materials::Mat3& F, double modulus = 1) const;
+  materials::Response respond(const materials::Mat3& F, double modulus = 1, const materials::KnownLaw* known = nullptr, materials::KnownLaw* learns = nullptr) const;
   /// With its effects. `memory`: this->memory() numbers; point.kinematics is the law's.
   materials::Response respond(const effects::Point& point, const double* memory) const;
   /// The memory that an accepted step leaves, in place.

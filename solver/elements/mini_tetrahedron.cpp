@@ -211,7 +211,7 @@ Eigen::Matrix<double, 3, 4> sub_centroids(const Eigen::Matrix<double, 3, 4>& X) 
   return centroids;
 }
 
-ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force) {
+ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force, Condensation* kept) {
   ElementSystem system;
   Trial trial;
   system.fault = solve_bubble(rest, material, state, body_force, trial);
@@ -248,6 +248,7 @@ ElementSystem mini_element(const Tetrahedron& rest, const Material& material, El
 
   // Condensation: K − K_qb K_bb⁻¹ K_bq; r − K_qb K_bb⁻¹ r_b, the bubble's last step.
   const Mat3 inverse = (quarter * trial.bb).inverse();
+  if (kept) *kept = {Kb, inverse};
   const Eigen::Vector3d step = -inverse * (quarter * trial.rb);
   state.bubble += step;
   system.residual += Kb * step;

@@ -36,6 +36,8 @@ struct ElementState {
   Eigen::Vector3d bubble;
   History history = {};
   const effects::Start* starts = nullptr;  ///< of the four sub-tetrahedra; none: as the material says
+  const materials::KnownLaw* known = nullptr;  ///< of the four sub-tetrahedra: asked instead of the law
+  materials::KnownLaw* learns = nullptr;       ///< of the four sub-tetrahedra: told what the law said
 };
 
 enum class ElementFault { none, inverted, bubble_not_positive, bubble_not_converged };
@@ -58,8 +60,18 @@ Eigen::Matrix<double, 3, 4> sub_centroids(const Eigen::Matrix<double, 3, 4>& X);
 /// Density of body force at the four sub-tetrahedra's centroids, columns, N/mm³.
 using BodyForce = Eigen::Matrix<double, 3, 4>;
 
-/// Solves the bubble in place (state.bubble), then condenses. With a fault, the system is not valid.
-ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force);
+/// How the bubble answers: its columns of the tangent before condensation, and the inverse of its own block.
+struct Condensation {
+  Eigen::Matrix<double, 16, 3> columns;
+  Eigen::Matrix3d inverse;
+};
+
+/// Solves the bubble in place (state.bubble), then condenses. With a fault, the system is not valid. `kept`: is told how it condensed.
+ElementSystem mini_element(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force,
+                           Condensation* kept = nullptr);
+
+/// The residual close to an equilibrium whose condensation is known, without a tangent; the bubble takes one linear step.
+Vec16 residual_beside(const Tetrahedron& rest, const Material& material, ElementState& state, const BodyForce& body_force, const Condensation& known);
 
 /// Mean deformation gradient, Cauchy stress's von Mises value (MPa) and J of an element whose bubble is solved.
 struct ElementResult {

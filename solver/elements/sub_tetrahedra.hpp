@@ -21,9 +21,11 @@ inline effects::Start start_of(const ElementState& state, int sub) { return stat
 inline materials::Response respond(const Material& material, const materials::Mat3& F, const ElementState& state, int sub) {
   const auto& history = state.history;
   const auto [modulus, turgor] = start_of(state, sub);
+  const materials::KnownLaw* known = state.known ? state.known + sub : nullptr;
+  materials::KnownLaw* learns = state.learns ? state.learns + sub : nullptr;
   materials::Response r = material.effects.empty()
-                   ? material.respond(F, modulus)
-                   : material.respond({F, history.time, history.dt, material.law.kinematics, modulus}, history.memory + sub * material.memory());
+                   ? material.respond(F, modulus, known, learns)
+                   : material.respond({F, history.time, history.dt, material.law.kinematics, modulus, known, learns}, history.memory + sub * material.memory());
   if (turgor != 0) add_turgor(r, F, turgor, material.law.kinematics);
   return r;
 }

@@ -37,7 +37,7 @@ Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(th
 }
 
 /// Adding takes a sixth of computing or less: few threads seldom wait for their turn.
-void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tangent) const {
+void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tangent, Neighbourhood* known) const {
   constexpr int batch = 64;  // its systems stay in a core's cache
   const int count = static_cast<int>(model_.tets.size());
   std::atomic<int> next_to_compute = 0, next_to_add = 0;
@@ -60,7 +60,9 @@ void Assembly::add_elements(State& state, Equations& equations, BlockMatrix& tan
       const int end = std::min(begin + batch, count);
       for (int e = begin; e < end; ++e) {
         auto local = element_state(model_, state, e, memory_starts_[e]);
-        systems[e - begin] = elements::mini_element(rest_[e], model_.materials[model_.tet_material[e]], local, ramp * body_force_[e]);
+        if (known) local.learns = &known->laws[4 * e];
+        systems[e - begin] = elements::mini_element(rest_[e], model_.materials[model_.tet_material[e]], local, ramp * body_force_[e],
+                                                    known ? &known->condensations[e] : nullptr);
         state.bubbles[e] = local.bubble;
       }
       for (int turn; (turn = next_to_add.load()) != begin;) next_to_add.wait(turn);
@@ -162,23 +164,38 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
   if (tool.force_controlled) own.excess = own.force.dot(tool.axis) - tool.force * tool.ramp.at(state.time);
 }
 
-Equations Assembly::operator()(State& state, BlockMatrix& tangent) const {
+Equations Assembly::empty_equations(const State& state) const {
   Equations equations;
   equations.residual = Eigen::VectorXd::Zero(state.nodal.size());
   equations.contact.tools.resize(model_.tools.size());
   equations.contact.points.assign(state.contact_pressures.size(), {});
+  return equations;
+}
+
+Equations Assembly::operator()(State& state, BlockMatrix& tangent, Neighbourhood* known) const {
+  Equations equations = empty_equations(state);
   const auto meetings = meetings_of(state);
   tangent.extend(touching_nodes(meetings));
   tangent.set_zero(threads_);
-  add_elements(state, equations, tangent);
-  if (equations.fault != elements::ElementFault::none) return equations;
+  if (known) {
+    known->parameters.clear();
+    for (const auto& material : model_.materials) known->parameters.push_back(material.parameters);
+    known->laws.resize(4 * model_.tets.size());
+    known->condensations.resize(model_.tets.size());
+  }
+  add_elements(state, equations, tangent, known);
+  if (equations.fault == elements::ElementFault::none) add_rest(meetings, state, equations, tangent);
+  return equations;
+}
+
+/// All but the elements.
+void Assembly::add_rest(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const {
   add_loads(state, equations, tangent);
   add_pressures(state, equations, tangent);
   add_layers(state, equations, tangent);
   add_region_forces(state, equations, tangent);
   for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
   add_organ_contact(meetings, state, equations, tangent);
-  return equations;
 }
 
 Eigen::VectorXd Assembly::change_by_time(const Equations& equations, double from, double to) const {
@@ -240,12 +257,21 @@ Eigen::Vector3d Assembly::loads(const State& state) const {
   return sum;
 }
 
-void Assembly::remember(State& state) const {
+void Assembly::remember(State& state, const Neighbourhood* known, const LawShifts* shifts) const {
+  const std::vector<char> same = known ? same_laws(*known) : std::vector<char>(model_.materials.size(), 0);
   std::vector<double> memory = state.memory;
   in_shares(static_cast<int>(model_.tets.size()), threads_, [&](int from, int to) {
     for (int e = from; e < to; ++e)
-      if (memory_starts_[e + 1] > memory_starts_[e])
-        elements::remember(rest_[e], model_.materials[model_.tet_material[e]], element_state(model_, state, e, memory_starts_[e]), &memory[memory_starts_[e]]);
+      if (memory_starts_[e + 1] > memory_starts_[e]) {
+        auto local = element_state(model_, state, e, memory_starts_[e]);
+        std::array<materials::KnownLaw, 4> shifted;
+        if (same[model_.tet_material[e]]) local.known = &known->laws[4 * e];
+        else if (known && shifts && !shifts->empty()) {
+          for (int s = 0; s < 4; ++s) shifted[s] = materials::shifted(known->laws[4 * e + s], (*shifts)[4 * e + s]);
+          local.known = shifted.data();
+        }
+        elements::remember(rest_[e], model_.materials[model_.tet_material[e]], local, &memory[memory_starts_[e]]);
+      }
   });
   remember_region_forces(state, memory);
   state.memory = std::move(memory);

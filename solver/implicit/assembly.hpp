@@ -4,6 +4,7 @@
 #include <solver/implicit/block_matrix.hpp>
 #include <solver/implicit/conjugates.hpp>
 #include <solver/implicit/model.hpp>
+#include <solver/implicit/neighbourhood.hpp>
 
 namespace palpate::implicit {
 
@@ -72,7 +73,15 @@ class Assembly {
   Assembly(const Model& model, int threads);
 
   /// Residual and tangent at `state` (its bubbles are solved in place). With a fault, neither is valid.
-  Equations operator()(State& state, BlockMatrix& tangent) const;
+  /// `known`: is told what runs beside this one need to know.
+  Equations operator()(State& state, BlockMatrix& tangent, Neighbourhood* known = nullptr) const;
+  /// Residual and contact of a run close to the known one, at the same bubbles, which take a linear step. `shifts`: are told what its laws with other
+  /// numbers say more; `scratch`: of the same pattern.
+  Equations beside(State& state, const Neighbourhood& known, LawShifts& shifts, BlockMatrix& scratch) const;
+  /// Loads and contact alone.
+  Equations without_tissue(const State& state, BlockMatrix& scratch) const;
+  /// The bubbles' answer to a small step of the nodes.
+  void let_bubbles_follow(State& state, const Neighbourhood& known, const Eigen::VectorXd& step) const;
   /// Change of the residual at an unchanged shape when time goes on: loads grow, tools travel (to first order).
   Eigen::VectorXd change_by_time(const Equations& equations, double from, double to) const;
   /// Pressures of contact between organs after the same part of a step.
@@ -87,13 +96,18 @@ class Assembly {
   Channels conjugates(const State& state, const Equations& equations) const;
   /// What friction's elastic slip stores, N mm.
   double stored_in_slips(const State& state) const;
-  /// The tissue remembers `state`, which is accepted: its memory and memory_time become those of this state.
-  void remember(State& state) const;
+  /// The tissue remembers `state`, which is accepted: its memory and memory_time become those of this state. `known`, `shifts`: of
+  /// a run close beside.
+  void remember(State& state, const Neighbourhood* known = nullptr, const LawShifts* shifts = nullptr) const;
   /// Von Mises stress and J of every tetrahedron.
   std::vector<elements::ElementResult> results(const State& state) const;
 
  private:
-  void add_elements(State& state, Equations& equations, BlockMatrix& tangent) const;
+  using Meetings = std::vector<std::vector<contact::Meeting>>;  ///< pass by pass
+  Equations empty_equations(const State& state) const;
+  void add_elements(State& state, Equations& equations, BlockMatrix& tangent, Neighbourhood* known) const;
+  std::vector<char> same_laws(const Neighbourhood& known) const;
+  void add_rest(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_pressures(const State& state, Equations& equations, BlockMatrix& tangent) const;
   Eigen::Vector3d pressure_on_organs(const State& state) const;
@@ -103,7 +117,6 @@ class Assembly {
   void remember_region_forces(const State& state, std::vector<double>& memory) const;
   void sum_up(int tool, const contact::FaceContact& contact, const std::array<int, 3>& nodes, const contact::Face& face,
               const contact::Pose& pose, ToolSums& sums) const;
-  using Meetings = std::vector<std::vector<contact::Meeting>>;  ///< pass by pass
   Meetings meetings_of(const State& state) const;
   std::vector<std::array<int, 2>> touching_nodes(const Meetings& meetings) const;
   void add_organ_contact(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;

@@ -66,6 +66,28 @@ void carry_memory(const Model& old_model, const State& old_state, const Model& m
   }
 }
 
+/// What beds on the surface remember (slip): by the weights, of the old nodes that the bed had.
+void carry_beds(const Model& old_model, const State& old_state, const Model& model, const Origins& origins, State& state) {
+  std::size_t old_first = memory_starts(old_model).back(), first = memory_starts(model).back();
+  for (std::size_t b = 0; b < model.region_forces.size(); ++b) {
+    const auto &bed = model.region_forces[b], &old_bed = old_model.region_forces[b];
+    const int size = bed.memory();
+    std::vector<const double*> memory_of(old_model.points.size(), nullptr);
+    for (std::size_t i = 0; i < old_bed.points.size(); ++i) memory_of[old_bed.points[i].node] = old_state.memory.data() + old_first + i * size;
+    for (std::size_t i = 0; i < bed.points.size(); ++i) {
+      const int node = bed.points[i].node;
+      double whole = 0;
+      for (int k = 0; k < 4; ++k)
+        if (memory_of[origins.nodes[node][k]]) whole += origins.weights[node][k];
+      for (int k = 0; k < 4 && whole > 0; ++k)
+        if (const double* from = memory_of[origins.nodes[node][k]])
+          for (int j = 0; j < size; ++j) state.memory[first + i * size + j] += origins.weights[node][k] / whole * from[j];
+    }
+    old_first += old_bed.points.size() * size;
+    first += bed.points.size() * size;
+  }
+}
+
 void carry_contact(const Model& old_model, const State& old_state, const Model& model, const Origins& origins, State& state) {
   constexpr int points = contact::points_per_face;
   const std::size_t faces = model.faces.size(), old_faces = old_model.faces.size();
@@ -106,6 +128,7 @@ State carried(const Model& old_model, const State& old_state, const Model& model
   if (!state.slips.empty()) remember_slips(model, {}, state);  // places: where the points are now
   carry_contact(old_model, old_state, model, origins, state);
   carry_memory(old_model, old_state, model, origins, state);
+  carry_beds(old_model, old_state, model, origins, state);
   return state;
 }
 

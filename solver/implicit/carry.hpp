@@ -17,7 +17,7 @@ struct Origins {
 };
 
 /// Displacements and pressures by the weights; what sub-tetrahedra remember from that of the parent which holds their centroid; contact from the
-/// parent's nearest point. Bubbles are zero: an equilibrium is to be found again.
+/// parent's nearest point; a bed's slip by the weights. Bubbles are zero: an equilibrium is to be found again.
 State carried(const Model& old_model, const State& old_state, const Model& model, const Origins& origins);
 
 /// Volume of the deformed organs, mm³.
