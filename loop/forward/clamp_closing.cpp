@@ -27,13 +27,16 @@ std::string number(double x) {
   return out.str();
 }
 
+/// A fold is at the end about as sharp as the wall is thick: edges there half of those beside it, and no longer than the wall is thick, finer on finer meshes.
+double fold_edge(const Specimen& s, const Closing& job) { return std::min(job.edge_mm / 2, s.wall_mm * std::min(1.0, job.edge_mm / s.edge_mm)); }
+
 /// What is solved, in words that also name it: everything a result hangs on.
 std::string case_text(const Bench& b, const Run& run, const Closing& job) {
   const Tool& jaws = b.set.tools.at(run.tool);
   const Specimen& s = b.set.specimen;
   std::ostringstream out;
   out.precision(9);
-  out << "# tube " << s.size_mm[0] << " x " << s.size_mm[2] << " mm, wall " << s.wall_mm << " mm, edges " << job.edge_mm << " mm";
+  out << "# tube " << s.size_mm[0] << " x " << s.size_mm[2] << " mm, wall " << s.wall_mm << " mm, edges " << job.edge_mm << " mm, in the folds " << fold_edge(s, job) << " mm";
   if (job.excess != 0) out << ", from " << job.from << " to " << job.to << " mm " << 1 + job.excess << " times as thick";
   out << "; solver " << b.version << "\nschema = \"palpate-case/1\"\nscheme = \"explicit\"\n[material]\nlaw = \"" << b.start.law->name << "\"\n";
   for (std::size_t i = 0; i < b.start.parameters.size(); ++i)
@@ -55,7 +58,7 @@ fs::path wall_file(const Bench& b, const Run& run, const Closing& job, const fs:
   for (double coarser : {1.4, 1.5, 1.3}) {  // of the edges elsewhere; palpate-mesh refuses what misses its limits
     try {
       run_program(b.mesh_program, {tube.string(), wall.string(), "--kind", "shell", "--thickness", number(s.wall_mm), "--offset", number(-s.wall_mm / 2), "--edge",
-                                   number(coarser * job.edge_mm), "--focus=" + at, "--focus-edge", number(job.edge_mm), "--focus-radius", "10", "--jaws-axis=" + axis, "--quiet"}, log);
+                                   number(coarser * job.edge_mm), "--focus=" + at, "--focus-edge", number(job.edge_mm), "--focus-radius", "10", "--jaws-axis=" + axis, "--fold-edge", number(fold_edge(s, job)), "--quiet"}, log);
       break;
     } catch (const Failure&) {
       if (coarser == 1.3) throw;
