@@ -228,7 +228,10 @@ void Run::go() {
 Json Run::finish() {
   restart_->remove();
   const Json summary = results_.finish(time_);
-  if (sensitivities_) write_text(folder_ / "sensitivities.csv", sensitivities_->table());
+  if (sensitivities_) {
+    write_text(folder_ / "sensitivities.csv", sensitivities_->table());
+    for (const auto& remark : sensitivities_->one_sided()) command_.warn(remark);
+  }
   return summary;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/sensitivities.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -63,6 +64,17 @@ VectorXd prescribed(const implicit::Model& model, double time) {
 
 implicit::BlockMatrix matrix_of(const implicit::Model& model) {
   return {static_cast<int>(model.points.size()), model.tets, implicit::is_conservative(model)};
+}
+
+/// Whether a point of contact slides in one and sticks in the other: the run is where derivatives are of one side.
+bool slides_elsewhere(const implicit::ContactSums& a, const implicit::ContactSums& b) {
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    if (a.points[i].slides != b.points[i].slides) return true;
+  return false;
+}
+
+bool slides_on_a_bed(const implicit::Model& model) {
+  return std::any_of(model.region_forces.begin(), model.region_forces.end(), [](const implicit::RegionForce& bed) { return bed.memory() > 0; });
 }
 
 }  // namespace
@@ -131,7 +143,7 @@ void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equili
 
 void Sensitivities::keep(Archive& archive) {
   const auto keep_one = [&](Shadow& shadow) {
-    archive(shadow.state, shadow.shifts, shadow.force_rates, shadow.depth_rate);
+    archive(shadow.state, shadow.shifts, shadow.force_rates, shadow.one_sided, shadow.depth_rate);
     if (shadow.own) archive(*shadow.own);
     for (auto& tool : shadow.the_case.model.tools) archive(tool.first_contact);
   };
@@ -194,6 +206,16 @@ std::vector<std::string> Sensitivities::remarks() const {
   std::vector<std::string> list;
   for (const auto& shadow : shadows_)
     if (shadow->own) list.push_back("d/d(" + shadow->path + ") is the secant to " + std::to_string(shadow->change) + ", by a run of its own: friction that is off has no derivative");
+  if (slides_on_a_bed(still_->the_case.model))
+    list.push_back("a support on which the organ slides: in holds of more than one step derivatives may be off by some per cent (decision 033)");
+  return list;
+}
+
+std::vector<std::string> Sensitivities::one_sided() const {
+  std::vector<std::string> list;
+  for (const auto& shadow : shadows_)
+    if (shadow->one_sided > 0)
+      list.push_back("d/d(" + shadow->path + ") is of one side in " + std::to_string(shadow->one_sided) + " step(s): points of contact are about to slide or to stick");
   return list;
 }
 
@@ -233,6 +255,7 @@ void Sensitivities::follow(const implicit::State& found) {
       continue;
     }
     approach(shadow, found);
+    shadow.one_sided += slides_elsewhere(shadow.equations.contact, still_->equations.contact);
     residual_changes.col(k) = shadow.equations.residual - still_->equations.residual;
     prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
   }

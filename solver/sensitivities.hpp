@@ -26,6 +26,7 @@ struct Shadow {
   implicit::Equations equations;  ///< at the run's displacements
   std::vector<Eigen::Vector3d> force_rates;  ///< of the reported forces, by the number
   std::unique_ptr<implicit::Equilibrium> own;  ///< of a secant, which has a run of its own
+  int one_sided = 0;  ///< steps in which a point of contact slides in the shadow and sticks in the run, or the other way round
   double depth_rate = 0;                     ///< of the first tool's depth, when its force is given, mm per unit of the number
 
   Shadow(std::string number, double by, Case moved, int threads);
@@ -49,6 +50,8 @@ class Sensitivities {
   void add(const implicit::Step& step);
   /// What people should know of numbers without a derivative: friction where there is none. A secant stands in.
   std::vector<std::string> remarks() const;
+  /// Of the numbers whose derivatives were of one side in some step; at the end of a run.
+  std::vector<std::string> one_sided() const;
   /// What the shadows remember between two steps, and the table.
   void keep(Archive& archive);
   /// `t[s]`, then for every number the derivatives of the history's forces by it; and of the depth, when the first tool's force is given.
