@@ -10,10 +10,9 @@ import math
 import pathlib
 import random
 
-from physics import HEIGHT, force_of, path
+from physics import HEIGHT, SENSOR, force_of, noise, path
 
 SCALE = HEIGHT / 3 * 0.6  # mm, the deepest point
-SENSOR = 0.0005  # N
 
 # Unit amplitude of each effect, before it is scaled to the asked change of the force.
 UNITS = {"contact_offset": 0.1, "rig_compliance": 0.2, "backlash": 0.1, "gain": 0.05, "tare": 0.02, "drift": 2e-4, "lag": 0.1, "friction": 0.1,
@@ -59,19 +58,6 @@ def samples(run, knobs, steps=1):
         return block(knobs)
     times, read = path(run, step_of(run) / steps)
     return times[::steps], read[::steps], force_of(times, read, run, knobs)[::steps]
-
-
-def noise(rng, times, force, repeatability, limit):
-    """Gain and slow wandering from run to run (a random walk, a line or a bend, by chance), the cell's limit, and a sensor with heavy tails."""
-    top, kind = max(max(map(abs, force)), 1e-3), rng.choice(("walk", "line", "bend"))
-    wander, at = [], 0.0
-    slope = rng.gauss(0, 0.2 * repeatability * top)
-    for i in range(len(times)):
-        x = i / len(times)
-        at += rng.gauss(0, 0.2 * repeatability * top / math.sqrt(len(times)))
-        wander.append(at if kind == "walk" else slope * x if kind == "line" else slope * math.sin(math.pi * x))
-    gain = rng.gauss(0, repeatability)
-    return [min(f * (1 + gain) + w, limit) + SENSOR * rng.gauss(0, 1) / math.sqrt(rng.gammavariate(4, 0.25)) for f, w in zip(force, wander)]
 
 
 def rms_change(runs, knobs, bases):

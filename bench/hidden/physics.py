@@ -6,6 +6,7 @@ import math
 import pathlib
 
 HEIGHT = 20.0  # mm
+SENSOR = 0.0005  # N
 
 
 def read_curves():
@@ -214,3 +215,16 @@ def force_of(times, read, run, knobs):
     for _ in range(8 if c else 0):  # the rig gives way by c F: a contraction, c dF/dd is near 0.2
         force = tissue([d - c * f for d, f in zip(depths, force)])
     return read_off(times, force, run, knobs)
+
+
+def noise(rng, times, force, repeatability, limit):
+    """Gain and slow wandering from run to run (a random walk, a line or a bend, by chance), the cell's limit, and a sensor with heavy tails."""
+    top, kind = max(max(map(abs, force)), 1e-3), rng.choice(("walk", "line", "bend"))
+    wander, at = [], 0.0
+    slope = rng.gauss(0, 0.2 * repeatability * top)
+    for i in range(len(times)):
+        x = i / len(times)
+        at += rng.gauss(0, 0.2 * repeatability * top / math.sqrt(len(times)))
+        wander.append(at if kind == "walk" else slope * x if kind == "line" else slope * math.sin(math.pi * x))
+    gain = rng.gauss(0, repeatability)
+    return [min(f * (1 + gain) + w, limit) + SENSOR * rng.gauss(0, 1) / math.sqrt(rng.gammavariate(4, 0.25)) for f, w in zip(force, wander)]

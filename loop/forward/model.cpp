@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <palpate/errors.hpp>
+#include <loop/forward/departures.hpp>
 #include <loop/forward/row.hpp>
 #include <loop/set/thinned.hpp>
 
@@ -87,6 +88,17 @@ void add_friction(const Site& site, const Tissue& tissue, const Path& depth, Pat
     before = d;
     force[i] *= 1 + most * s;
   }
+}
+
+/// Linear between the solved depths, beyond them as at them.
+double mesh_change(const SiteCurve& curve, double depth) {
+  const auto& at = curve.mesh_depth_mm;
+  if (at.empty()) return 0;
+  const std::size_t i = std::upper_bound(at.begin(), at.end(), depth) - at.begin();
+  if (i == 0) return curve.mesh_change.front();
+  if (i == at.size()) return curve.mesh_change.back();
+  const double share = (depth - at[i - 1]) / (at[i] - at[i - 1]);
+  return (1 - share) * curve.mesh_change[i - 1] + share * curve.mesh_change[i];
 }
 
 /// Forces of a row under a tool whose mounting gives way by c F: F = row(u − c F), by Newton with the row's own slope.
@@ -174,18 +186,26 @@ Site Forward::site(const Run& run) const {
   return site;
 }
 
-void Forward::correct(const std::string& tool, const Vec3& point_mm, double deepest_mm, const std::array<double, 3>& factor) {
-  corrections_.push_back({tool, point_mm, deepest_mm, factor});
+const SiteCurve* Forward::correction(const Run& run) const {
+  for (const SiteCurve& c : corrections_)
+    if (c.tool == run.tool && norm(c.point_mm - run.point_mm) <= 1e-6) return &c;
+  return nullptr;
 }
 
 double Forward::elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const {
   const double closed = elastic_force(site, tissue, depth);
-  for (const Correction& c : corrections_) {
-    if (c.tool != run.tool || norm(c.point_mm - run.point_mm) > 1e-6) continue;
-    const double x = std::min(depth / c.deepest_mm, 1.0);
-    return closed * (c.factor[0] + x * (c.factor[1] + x * c.factor[2]));
+  const SiteCurve* c = correction(run);
+  if (!c) return closed;
+  const double x = std::min(depth / c->deepest_mm, 1.0);
+  double force = closed;
+  for (const SolvedChange& change : c->changes) {
+    const Departure& departure = departure_named(change.of);
+    if (!departure.in(tissue)) continue;
+    Tissue without = tissue;
+    departure.remove(without);
+    force += (change.factor[0] + x * change.factor[1] - 1) * (closed - elastic_force(site, without, depth));
   }
-  return closed;
+  return force * (c->factor[0] + x * (c->factor[1] + x * c->factor[2]));
 }
 
 /// What gives way in series is found by going over it four times: a clamp's rig gives way by far less than the wall.
@@ -215,11 +235,14 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
   std::vector<double> depths, forces;
   const auto own = model.tool_form.find(run.tool);
   const std::array<double, 2> of_tool = own == model.tool_form.end() ? std::array<double, 2>{0, 0} : own->second;
+  const SiteCurve* solved = correction(run);
   for (int i = 0; i <= springs; ++i) {
     depths.push_back(deepest * std::pow(static_cast<double>(i) / springs, 1.4));
     const double x = depths.back() / scale_;
     forces.push_back((1 + of_tool[0] + of_tool[1] * (2 * x - 1)) * elastic(run, place, tissue, depths.back()) * (1 + model.form[0] * (2 * x - 1) + model.form[1] * (6 * x * x - 6 * x + 1)));
   }
+  if (solved && model.mesh_form != 0)
+    for (int i = 0; i <= springs; ++i) forces[i] *= std::exp(model.mesh_form * mesh_change(*solved, depths[i]));
   auto list = springs_of(depths, forces);
   add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
   Row row(std::move(list), tissue, scale_, true);

@@ -9,6 +9,7 @@
 #include <loop/forward/backbone.hpp>
 #include <loop/forward/clamp.hpp>
 #include <loop/forward/effect.hpp>
+#include <loop/forward/site_curve.hpp>
 
 namespace palpate::loop {
 
@@ -27,6 +28,7 @@ struct Model {
   double compliance_mm_per_N = 0;  ///< of the rig, where it is known
   double form[3] = {0, 0, 0};      ///< error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest + form₂
   std::map<std::string, std::array<double, 2>> tool_form;  ///< and of each further tool's: × (1 + e₀ + e₁ (2x − 1))
+  double mesh_form = 0;            ///< of a case: how much further than the finer mesh the truth is from the coarser, less the third that is taken already (site_curve.hpp)
   std::vector<double> clamp_form;  ///< of a clamp's curves: their own error at each place (ClampCurves::form_sd)
   std::vector<Active> active;
 };
@@ -59,19 +61,14 @@ class Forward {
   Site site(const Run& run) const;
   /// From now on closed forms are those of small or of finite strains (finite without).
   void use(Strains strains) { strains_ = strains; }
-  /// From now on the closed form of runs with this tool and point is multiplied by c₀ + c₁ x + c₂ x², x = depth/deepest (beyond it as at it):
-  /// what a solve of that site says about the closed form.
   /// Clamps have their curves from solves alone.
   void use(std::shared_ptr<const ClampCurves> curves) { clamp_ = std::move(curves); }
-  void correct(const std::string& tool, const Vec3& point_mm, double deepest_mm, const std::array<double, 3>& factor);
+  /// From now on the closed form of runs with this tool and point is multiplied by the curve's factor at x = depth/deepest (beyond it as at it), and the changes by departures that
+  /// were solved are multiplied by theirs: what solves of that site say about the closed form.
+  void correct(SiteCurve curve) { corrections_.push_back(std::move(curve)); }
 
  private:
-  struct Correction {
-    std::string tool;
-    Vec3 point_mm;
-    double deepest_mm;
-    std::array<double, 3> factor;
-  };
+  const SiteCurve* correction(const Run& run) const;
   double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
   /// `depth` of the tool becomes that of the tissue, where something gives way in series.
   Path clamped_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const;
@@ -81,7 +78,7 @@ class Forward {
   Strains strains_ = Strains::finite;
   double scale_;  ///< deepest elongation of the set: mm, or MPa of homogeneous tests
   std::vector<std::vector<int>> begin_;
-  std::vector<Correction> corrections_;
+  std::vector<SiteCurve> corrections_;
   mutable std::atomic<long> evaluations_ = 0;
 };
 

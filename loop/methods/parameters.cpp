@@ -43,9 +43,10 @@ void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
     return;
   }
   for (int i : {0, 1, 2}) {
-    const double sd = i < 2 ? thresholds::form_sd : thresholds::form_depth_sd;
+    const double sd = i < 2 ? set.curve_sd : thresholds::form_depth_sd;
     list.push_back({"form." + std::to_string(i + 1), "1", &model.form[i], -4 * sd, 4 * sd, false, 1e-4, 0, sd});
   }
+  if (set.mesh_sd > 0) list.push_back({"form.mesh", "1", &model.mesh_form, -4 * set.mesh_sd, 4 * set.mesh_sd, false, 1e-3, 0, set.mesh_sd});
   std::string first;
   for (const Run& run : set.runs) {
     if (run.role != Role::fit || run.test != Test::indentation) continue;
@@ -54,7 +55,7 @@ void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
   }
   for (auto& [tool, form] : model.tool_form)
     for (int i : {0, 1}) {
-      const double sd = i == 0 ? thresholds::form_sd : thresholds::form_tool_sd;
+      const double sd = i == 0 ? set.tool_size_sd : set.tool_curve_sd;
       list.push_back({"form." + tool + "." + std::to_string(i), "1", &form[i], -4 * sd, 4 * sd, false, 1e-4, 0, sd});
     }
 }

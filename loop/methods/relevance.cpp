@@ -98,7 +98,7 @@ double whitened_change_by_last(const Session& s, Model model, int blocks) {
 bool matters(const Session& s, const Model& model) {
   const Effect& last = *model.active.back().effect;
   const bool elastic = last.entry.kind == "material" || last.entry.kind == "start" || last.entry.kind == "layer" || s.set->specimen.shape == "tube";  // a change of the curve, known to form_sd
-  double known = thresholds::form_sd;  // of a clamp: half of the force, over the curve, times what its meshes differ by
+  double known = std::hypot(s.set->curve_sd, s.set->mesh_sd * s.set->mesh_apart);  // of a clamp: half of the force, over the curve, times what its meshes differ by
   for (double sd : s.set->clamp_form_sd) known += 0.5 * sd / static_cast<double>(s.set->clamp_form_sd.size());
   const bool further = model.active.size() > 1;
   const double least = further ? thresholds::further_matters : elastic ? std::max(thresholds::matters, known) : thresholds::matters;

@@ -16,6 +16,7 @@
 #include <loop/set/thinned.hpp>
 
 #include <chrono>
+#include <numeric>
 #include <optional>
 
 using namespace palpate;
@@ -51,7 +52,7 @@ loop::Set sound_set(Command& c) {
 void set_input(Usage& u) { u.input("set", "set.toml", "the measured set: specimen, rig, tools, runs and their CSV files"); }
 
 void solves_option(Usage& u) {
-  u.text("solves", "", "folder that keeps the closings that were solved of a clamp, for the next call; without it every call solves its own");
+  u.text("solves", "", "folder that keeps what was solved, for the next call; without it every call solves its own");
 }
 
 /// The curves of a clamp, or nothing where there is none. Solves that are not to be kept lie in `scratch` until they are read; what a killed run
@@ -136,7 +137,7 @@ loop::Searched searched(Command& c, loop::Set& set, const std::vector<loop::Site
   const auto clamp = clamp_of(c, set, scratch);
   const auto correct = [&](loop::Forward& forward) {
     forward.use(clamp);
-    for (const auto& curve : curves) forward.correct(curve.tool, curve.point_mm, curve.deepest_mm, curve.factor);
+    for (const auto& curve : curves) forward.correct(curve);
   };
   return loop::searched(set, correct, c.threads(), static_cast<int>(c.integer("null-sets")), c.seed(), [&](const std::string& remark) { c.say(remark); });
 }
@@ -226,10 +227,10 @@ void usage_of_run(Usage& u) {
 /// The sites' curves, or none: with auto a solver that is missing or fails leaves the closed forms, and says so.
 std::vector<loop::SiteCurve> curves_of(Command& c, const loop::Set& set) {
   const std::string forward = c.text("forward");
-  const fs::path solver = loop::beside("palpate-solve"), scratch = c.output("result") / "solves";
+  const fs::path solver = loop::beside("palpate-solve"), scratch = c.output("result") / "solves", kept = c.text("solves").empty() ? scratch : fs::absolute(c.text("solves"));
   if (loop::is_clamp(set) || forward == "closed" || (forward == "auto" && (solver.empty() || loop::is_wide_layer(set) || !loop::can_be_solved(set)))) return {};
   try {
-    const auto curves = loop::solved_curves(set, solver, scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
+    const auto curves = loop::solved_curves(set, solver, kept, c.threads(), [&](const std::string& remark) { c.say(remark); });
     fs::remove_all(scratch);
     return curves;
   } catch (const Failure& failure) {
@@ -254,11 +255,12 @@ void run_of_run(Command& c) {
   loop::Set set = sound_set(c);
   c.say("null model and noise");
   const auto curves = curves_of(c, set);
+  loop::tell_mesh_errors(curves, set);
   const loop::Searched s = searched(c, set, curves, c.output("result"));
   const loop::Confirmation confirmation = confirmed(c, s);
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
-  report["solves"] = curves.size() + confirmation.solves;
+  report["solves"] = std::accumulate(curves.begin(), curves.end(), confirmation.solves, [](int sum, const loop::SiteCurve& curve) { return sum + curve.solves; });
   report["solved_curves"] = loop::solves_json(curves);
   report["elastic_curves"] = loop::tried_json(s.curves);
   report["confirmed_in_solver"] = loop::confirmation_json(confirmation);

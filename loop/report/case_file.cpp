@@ -6,26 +6,14 @@
 #include <sstream>
 
 #include <palpate/text_file.hpp>
+#include <loop/forward/case_curve.hpp>
+#include <loop/forward/departures.hpp>
 
 namespace palpate::loop {
 namespace {
 
-/// The text without the tables that are written anew.
-std::string without(const std::string& text, const std::vector<std::string>& tables) {
-  std::istringstream in(text);
-  std::string kept;
-  bool keep = true;
-  for (std::string line; std::getline(in, line);) {
-    const auto first = line.find_first_not_of(" \t");
-    if (first != std::string::npos && line[first] == '[')
-      keep = std::none_of(tables.begin(), tables.end(), [&](const std::string& name) { return line.find(name) != std::string::npos; });
-    if (keep) kept += line + "\n";
-  }
-  return kept;
-}
-
 struct Parts {
-  std::ostringstream material, effects, tool, comments;
+  std::ostringstream law, bulk, effects, tool, comments;
 };
 
 /// A law that a stiffening turns the null into, where the solver has it.
@@ -33,13 +21,8 @@ bool write_stiffened(const Model& model, const Active& a, Parts& parts) {
   const double mu = model.law->shear_modulus(model.parameters), e = a.amplitude;
   const int kind = static_cast<int>(a.shape[0]);
   if (model.law->name != "neo_hookean" || (kind == 0 && !(e > 0))) return false;
-  switch (kind) {
-    case 0: parts.material << "law = \"fung_demiray\"\nmu = " << mu << "\nb = " << e << "\n"; return true;
-    case 1: parts.material << "law = \"mooney_rivlin\"\nC10 = " << mu / 2 * (1 - e / 100) << "\nC01 = " << mu / 2 * e / 100 << "\n"; return true;
-    case 2: parts.material << "law = \"yeoh\"\nC10 = " << mu / 2 << "\nC20 = " << mu * e << "\nC30 = 0.0\n"; return true;
-    case 3: parts.material << "law = \"yeoh\"\nC10 = " << mu / 2 << "\nC20 = 0.0\nC30 = " << mu * e << "\n"; return true;
-    default: parts.material << "law = \"ogden\"\nmu1 = " << mu << "\nalpha1 = " << 2 + e << "\n"; return true;
-  }
+  parts.law << stiffened_material(mu, kind, e);
+  return true;
 }
 
 /// One effect as a table or as a key of material or tool; false: the solver has nothing that means the same. `strain` is the representative one at the deepest point.
@@ -62,7 +45,7 @@ bool write_effect(const Session& s, const Model& model, const Active& a, double 
   } else if (name == "friction") {
     parts.tool << "friction = " << e << "\n";
   } else if (name == "compressibility" && e > 0) {
-    parts.material << "kappa = " << 2 * mu * (1.5 - e) / (3 * 2 * e) << "\n";
+    parts.bulk << "kappa = " << 2 * mu * (1.5 - e) / (3 * 2 * e) << "\n";
   } else {
     return false;
   }
@@ -92,7 +75,7 @@ std::string case_text(const Session& s, const Model& model, const Run& run, cons
   const Tool& tool = s.set->tools.at(run.tool);
   const double strain = representative_strain_of(s, run);
   Parts parts;
-  for (std::ostringstream* out : {&parts.material, &parts.effects, &parts.tool, &parts.comments}) out->precision(8);
+  for (std::ostringstream* out : {&parts.law, &parts.bulk, &parts.effects, &parts.tool, &parts.comments}) out->precision(8);
   bool law_written = false;
   for (const Active& a : model.active) {
     const bool is_law = a.effect->entry.name == "stiffening";
@@ -102,9 +85,10 @@ std::string case_text(const Session& s, const Model& model, const Run& run, cons
       law_written = law_written || is_law;
   }
   if (!law_written) {
-    parts.material << "law = \"" << model.law->name << "\"\n";
-    for (std::size_t i = 0; i < model.parameters.size(); ++i) parts.material << model.law->parameters[i].name << " = " << model.parameters[i] << "\n";
-    if (model.law->name.starts_with("hooke")) parts.material << "nu = 0.4999\n";
+    Tissue plain;
+    plain.law = model.law;
+    plain.parameters = model.parameters;
+    parts.law << material_text(plain);
   }
   std::ostringstream out;
   out.precision(8);
@@ -112,8 +96,8 @@ std::string case_text(const Session& s, const Model& model, const Run& run, cons
   if (specimen.case_file.empty())
     out << "schema = \"palpate-case/1\"\nmesh = \"mesh.vtu\"\n[base]\nlabel = \"base\"\n";
   else
-    out << without(read_text(specimen.case_file), {"material", "effect", "tool", "steps"});
-  out << "[material]\n" << parts.material.str() << parts.effects.str() << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = ["
+    out << case_without(read_text(specimen.case_file), {"material", "tool", "steps"});
+  out << parts.law.str() << parts.bulk.str() << parts.effects.str() << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = ["
       << run.point_mm[0] << ", " << run.point_mm[1] << ", " << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2]
       << "]\n" << parts.tool.str() << motion;
   return out.str();

@@ -11,6 +11,7 @@
 #include <palpate/mesh_files.hpp>
 #include <palpate/settings.hpp>
 #include <palpate/text_file.hpp>
+#include <loop/forward/case_curve.hpp>
 #include <loop/forward/process.hpp>
 #include <loop/forward/shape_mesh.hpp>
 #include <loop/methods/thresholds.hpp>
@@ -144,6 +145,10 @@ Confirmation confirmed(const Session& s, const Model& model, const fs::path& sol
   if (c.effects.empty()) return c;
   if (s.set->specimen.shape == "tube") {
     c.failure = "a clamped wall's changes of force are those of solved closings already";
+    return c;
+  }
+  if (!s.set->specimen.case_file.empty() && !has_one_material(s.set->specimen.case_file)) {
+    c.failure = "the case has several materials, for which the loop's law stands as one";
     return c;
   }
   const Model without = without_solved(s, model);

@@ -250,9 +250,13 @@ std::string curves_csv(const Session& s, const Finding& f) {
 
 Json solves_json(const std::vector<SiteCurve>& curves) {
   Json list = Json::array();
-  for (const auto& curve : curves)
+  for (const auto& curve : curves) {
+    Json changes = Json::array();
+    for (const auto& change : curve.changes)
+      changes.push_back({{"of", change.of}, {"amplitude", change.amplitude}, {"solved_over_closed", change.factor}, {"scatter", change.scatter}});
     list.push_back({{"tool", curve.tool}, {"point_mm", curve.point_mm}, {"deepest_mm", curve.deepest_mm}, {"solved_over_closed", curve.factor},
-                    {"scatter", curve.scatter}, {"nodes", curve.nodes}});
+                    {"scatter", curve.scatter}, {"finer_mesh_shift", curve.mesh_shift}, {"finer_mesh_apart", curve.mesh_apart}, {"nodes", curve.nodes}, {"solves", curve.solves}, {"changes", changes}});
+  }
   return list;
 }
 

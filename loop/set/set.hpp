@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <palpate/vec3.hpp>
+#include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
 
@@ -79,6 +80,10 @@ struct Set {
   Known compliance_mm_per_N, gain;
   double sync_error_s = 0;
   Known sensor_sd_N;  ///< absent: from air
+  double curve_sd = thresholds::form_sd;            ///< what the elastic curve's shape over depth is off by, relative; a case's is told by its meshes (loop/forward/solved_curves.hpp),
+  double tool_curve_sd = thresholds::form_tool_sd;  ///< the same from tool to tool,
+  double tool_size_sd = thresholds::form_sd;        ///< and its size from tool to tool;
+  double mesh_sd = 0, mesh_apart = 0;               ///< what a case's two meshes differ by in shape, rms, relative, and of how much of that its curve is still off by
   std::vector<double> clamp_form_sd;  ///< of a clamp's solved curves: what they are off by, as its solves tell (loop/forward/clamp.hpp)
   double clamp_correlation = 0;       ///< of this scatter, from one block to the next
   double clamp_scatter = 0;           ///< the same between the places of these, of one sample, over the largest force
