@@ -105,6 +105,27 @@ bool matters(const Session& s, const Model& model) {
   return last.lateral || change_by_last(s, model, further) >= least;
 }
 
+namespace {
+
+/// Of fitted runs, N: root of the mean over runs of their mean squares.
+double error_in_N(const Session& s, const Model& model) {
+  const Model fit = with_equal_weights(s, model);
+  double squares = 0;
+  for (std::size_t run : s.problem.runs)
+    if (s.set->runs[run].role == Role::fit) squares += (s.forward->measured(run) - s.forward->predicted(run, fit)).squaredNorm() / s.forward->blocks(run);
+  return std::sqrt(squares);
+}
+
+}  // namespace
+
+bool lowers_error(const Session& s, const Model& model) {
+  const Effect& last = *model.active.back().effect;
+  if (last.lateral || last.compliance) return true;
+  Model without = model;
+  without.active.pop_back();
+  return error_in_N(s, model) <= (1 - thresholds::error_fall) * error_in_N(s, without);
+}
+
 double excess(const Session& s, double chi2) {
   for (std::size_t run : s.problem.runs) chi2 -= s.forward->blocks(run);
   return std::max(chi2, 0.0);

@@ -18,6 +18,10 @@ bool made_up(const Session& session, const Model& before, const Model& after);
 /// Whether the last effect of a model changes forces by more than repeatability and curves are known to.
 bool matters(const Session& session, const Model& model);
 
+/// Whether the last effect of a model lowers the error in N at all: fits in which every block of a run weighs alike, with it and without. What explains only what noise was thought
+/// to be is none. Of effects that lateral forces or a rigid block show: true.
+bool lowers_error(const Session& session, const Model& model);
+
 /// How much the last effect of a model changes the fitted forces, in deviations of noise, over the first `blocks` rows: the curves.
 double whitened_change_by_last(const Session& session, Model model, int blocks);
 

@@ -88,6 +88,7 @@ std::string against(const Session& s, const Fit& current, const Tried& t, int ro
   if (own.effect->lateral && std::abs(own.amplitude) < 2 * thresholds::prior_lateral_sd) return "no more than how a tool is set up by hand";
   if (!own.effect->lateral && whitened_change_by_last(s, t.fit.model, rows) < thresholds::visible) return "too small to change any force beyond noise";
   if (!matters(s, t.fit.model)) return "changes the forces by less than repeatability and curves are known to";
+  if (!lowers_error(s, t.fit.model)) return "does not lower the error in force";
   if (made_up(s, current.model, t.fit.model)) return "one kind of test does not carry it: it would change other tests beyond all proportion";
   return "";
 }

@@ -20,6 +20,7 @@ inline constexpr double confounded_cosine = 0.98; ///< of whitened tangents afte
 inline constexpr double visible = 4;              ///< ‖P s‖ e below which the protocol cannot see an effect
 inline constexpr double matters = 0.002;          ///< change of the forces, rms over the largest, below which an effect is no finding
 inline constexpr double further_matters = 0.02;   ///< the same of a further effect: a first one's form is not known to better
+inline constexpr double error_fall = 0.005;       ///< of the error in N, as a share of itself, that an effect must bring
 inline constexpr double structure_margin = 2;     ///< of the nulls' 99 % excess over their mean: room for noise of another shape than ours
 inline constexpr double unexplained_share = 0.1;  ///< of the null's excess misfit that may be left by a claimed effect
 inline constexpr double drop_strength = 8;        ///< of a sudden drop, over the usual change between neighbours
