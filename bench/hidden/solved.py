@@ -100,19 +100,19 @@ def elastic(a, radius, effect="", amplitude=0.0):
 
 
 def moved(a, radius, rate, depth, effect, amplitude, base):
-    """Force over time of a motion: the ratio to the elastic force, linear between the solved times."""
+    """Force over time of a motion: the ratio to the elastic force, a cubic between the solved times of each stretch."""
     corners, times = programme(rate, depth)
     path = ", ".join(f"[{t:.6f}, {u:.6f}]" for t, u in corners)
     rows = solved(a, radius, effect, amplitude, f"path = [{path}]\n[steps]\ntimes_s = [{', '.join(f'{t:.6f}' for t in times)}]\nmost_cuts = 8\nframes = 1\n")
-    at, ratio = [r[0] for r in rows], []
     floor = 0.02 * base(depth)
-    for _, u, f in rows:
-        ratio.append(f / max(base(u), floor))
+    phases = []  # knots of each stretch of the motion
+    for (start, _), (end, _) in zip(corners, corners[1:]):
+        phases.append([(t, f / max(base(u), floor)) for t, u, f in rows if start - 1e-6 <= t <= end + 1e-6])
+    ends = [t for t, _ in corners[1:]]
 
     def force(t, u):
-        i = min(max(bisect.bisect(at, t), 1), len(at) - 1)
-        x = min(max((t - at[i - 1]) / (at[i] - at[i - 1]), 0), 1)
-        return ((1 - x) * ratio[i - 1] + x * ratio[i]) * max(base(u), floor)
+        knots = phases[min(bisect.bisect_left(ends, t - 1e-9), len(phases) - 1)]
+        return bent(knots, t) * max(base(u), floor)
     return force
 
 
