@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# A set of a pressed organ whose curves the loop solves by itself: nothing hidden is nothing found, a rig that drifts is named; a second set of the same organ takes no further solve.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+bin=$1
+here=$PWD
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp data/studies/lamb_kidney/phantom.toml "$folder"
+sed 's/^edge = 4.5/edge = 2.2/; s/^focus_edge = .*/focus_edge = 1.2/; s/^focus_radius = .*/focus_radius = 3.5/; s/^edge = 7.0/edge = 5.0/' data/studies/lamb_kidney/coarse.toml >"$folder/study.toml"
+cd "$folder"
+"$bin/palpate" run study.toml --quiet
+mkdir organ && cp result/mesh.vtu organ/
+"$bin/palpate-mesh" result/surface.vtp truth.vtu --edge 5.5 --focus 6.5,-12.1,0 --focus-edge 0.5 --focus-radius 2.7 --quiet
+sed 's/^law = .*/law = "neo_hookean"/; /^b = /d; s/^schema.*/&\nmesh = "mesh.vtu"/' "$here/data/studies/lamb_kidney/fung_demiray.toml" >organ/case.toml
+python3 "$here/bench/hidden/solved.py" "$bin" organ/case.toml truth.vtu solves sets --effects none,drift --seed 5
+for name in none drift; do
+  "$bin/palpate-loop" run "sets/${name}_0/set.toml" "$name" --solves kept --quiet --null-sets 200 >/dev/null
+  find kept -name history.csv | wc -l >"$name.count"
+done
+cmp none.count drift.count || { echo "the second set was solved again" >&2; exit 1; }
+python3 - <<'P'
+import json
+none, drift = (json.load(open(f"{name}/report.json")) for name in ("none", "drift"))
+truth = [json.loads(line) for line in open("sets/answers.jsonl")][1]["knobs"]["drift"]
+for report in (none, drift):
+    print(report["verdict"]["kind"], report["verdict"]["effects"], [(c["tool"], c["solved_over_closed"], c["finer_mesh_shift"], c["nodes"]) for c in report["solved_curves"]])
+assert none["verdict"]["kind"] == "nothing_supported", none["verdict"]
+assert drift["verdict"]["effects"] == ["drift"], drift["verdict"]
+value = next(p["value"] for p in drift["parameters"] if p["name"] == "drift.d")
+assert abs(value / truth - 1) <= 0.1, (value, truth)
+assert all(c["finer_mesh_shift"] < 0 for c in none["solved_curves"]), "a finer mesh is not softer"
+P
