@@ -23,11 +23,8 @@ def read_curves():
 CURVES = read_curves()
 
 
-def solved(depth, key):
-    """Force by GetFEM: cubic through the four nearest points in the root of depth; below the first point as at it."""
-    points, x = CURVES[key], math.sqrt(depth)
-    if x <= points[0][0]:
-        return points[0][1] * depth**1.5
+def cubic(points, x):
+    """Through the four points nearest to x, or fewer where there are no more."""
     i = next((k for k in range(1, len(points)) if points[k][0] >= x), len(points) - 1)
     near = points[max(0, min(i - 2, len(points) - 4)) :][:4]
     total = 0.0
@@ -36,7 +33,13 @@ def solved(depth, key):
             if a != b:
                 ya *= (x - xb) / (xa - xb)
         total += ya
-    return total * depth**1.5
+    return total
+
+
+def solved(depth, key):
+    """Force by GetFEM: cubic in the root of depth; below the first point as at it."""
+    points, x = CURVES[key], math.sqrt(depth)
+    return (points[0][1] if x <= points[0][0] else cubic(points, x)) * depth**1.5
 
 
 def changed_by(effect, amplitude, radius, depth):

@@ -20,7 +20,7 @@ import random
 import re
 import subprocess
 
-from physics import SENSOR, noise, read_off
+from physics import SENSOR, cubic, noise, read_off
 
 # Of palpate-solve: text of the effect, amplitude. Memory: every motion is solved; friction and adhesion: each programme of depth; the others one curve per rod.
 IN_SOLVER = {"prony": ('[[effect]]\nname = "prony"\ng = {}\ntau_s = 4.0\n', 0.2), "rate": ('[[effect]]\nname = "rate"\nm = {}\nrate_0 = 0.01\n', 0.05),
@@ -79,24 +79,11 @@ def solved(a, radius, effect, amplitude, motion):
         return [(float(r["t[s]"]), float(r["depth[mm]"]), float(r["F[N]"])) for r in csv.DictReader(file)]
 
 
-def bent(points, x):
-    """Cubic through the four nearest points, or fewer where the slope turns."""
-    i = min(max(bisect.bisect([p[0] for p in points], x), 1), len(points) - 1)
-    near = points[max(0, min(i - 2, len(points) - 4)) :][:4]
-    total = 0.0
-    for k, (xk, yk) in enumerate(near):
-        for j, (xj, _) in enumerate(near):
-            if j != k:
-                yk *= (x - xj) / (xk - xj)
-        total += yk
-    return total
-
-
 def elastic(a, radius, effect="", amplitude=0.0):
     """Force over depth, a function."""
     rows = [r for r in solved(a, radius, effect, amplitude, f"depth_mm = {1.08 * DEPTH}\n[steps]\ncount = 22\nframes = 1\n") if r[1] > 0 and r[2] > 0]
     points = [(math.sqrt(u), f / u**1.5) for _, u, f in rows]
-    return lambda u: 0.0 if u <= 0 else u**1.5 * (points[0][1] if math.sqrt(u) < points[0][0] else bent(points, math.sqrt(u)))
+    return lambda u: 0.0 if u <= 0 else u**1.5 * (points[0][1] if math.sqrt(u) < points[0][0] else cubic(points, math.sqrt(u)))
 
 
 def moved(a, radius, rate, depth, effect, amplitude, base):
@@ -112,7 +99,7 @@ def moved(a, radius, rate, depth, effect, amplitude, base):
 
     def force(t, u):
         knots = phases[min(bisect.bisect_left(ends, t - 1e-9), len(phases) - 1)]
-        return bent(knots, t) * max(base(u), floor)
+        return cubic(knots, t) * max(base(u), floor)
     return force
 
 

@@ -132,13 +132,15 @@ std::string case_without(const std::string& text, const std::vector<std::string>
   return kept;
 }
 
+fs::path mesh_of_case(const fs::path& file) { return file.parent_path() / Settings::read(file).text("mesh", "mesh.vtu"); }
+
 bool has_one_material(const fs::path& case_file) { return Settings::read(case_file).tables("material").size() == 1; }
 
 Tissue base_of_case(const Set& set, const Tissue& start) { return has_one_material(set.specimen.case_file) ? without_departures(start) : start; }
 
 SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start, bool law_open, int threads, SiteCurve& curve) {
   const fs::path& file = job.set->specimen.case_file;
-  const fs::path own = file.parent_path() / Settings::read(file).text("mesh", "mesh.vtu");
+  const fs::path own = mesh_of_case(file);
   const std::string text = read_text(file);
   fs::create_directories(job.kept);
   const bool one = has_one_material(file);

@@ -20,6 +20,9 @@ Tissue base_of_case(const Set& set, const Tissue& start);
 /// A case of several materials is solved as it is: a law of the loop stands for all of them.
 bool has_one_material(const std::filesystem::path& case_file);
 
+/// The mesh that a case names.
+std::filesystem::path mesh_of_case(const std::filesystem::path& case_file);
+
 /// A case's text without these tables, which are written anew.
 std::string case_without(const std::string& text, const std::vector<std::string>& tables);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include <palpate/card.hpp>
 #include <palpate/errors.hpp>
 #include <loop/forward/case_curve.hpp>
 #include <loop/forward/departures.hpp>
@@ -42,6 +43,17 @@ SolvedCurve solved_shape(const SiteJob& job, const Site& site, const Tissue& sta
     own.force_N[i] *= elastic_force(site, start, at) / layer.at(at);
   }
   return own;
+}
+
+/// A folder of their own for the meshes of a specimen, tool and place, so that runs on other specimens may share what is kept.
+std::string place_name(const Set& set, const Run& run, double deepest) {
+  std::ostringstream all;
+  all.precision(12);
+  const Specimen& s = set.specimen;
+  all << s.shape << s.size_mm[0] << " " << s.size_mm[1] << " " << s.size_mm[2] << " " << (s.case_file.empty() ? "" : sha256(mesh_of_case(s.case_file)));
+  for (int i = 0; i < 3; ++i) all << " " << run.point_mm[i] << " " << run.axis[i];
+  all << " " << set.tools.at(run.tool).kind << " " << set.tools.at(run.tool).radius_mm << " " << deepest;
+  return "place-" + sha256_of_bytes(all.str()).substr(0, 12);
 }
 
 /// Least squares of solved over closed force, weighted by the force.
@@ -93,7 +105,7 @@ std::vector<SiteCurve> solved_curves(const Set& set, const fs::path& solver, con
         deepest = std::max(deepest, *std::max_element(other.u.begin(), other.u.end()));
     curve.deepest_mm = 1.02 * deepest;
     remark("solving " + set.tools.at(run.tool).kind + " at site " + std::to_string(curves.size() + 1));
-    const SiteJob job{&set, &run, curve.deepest_mm, solver, kept / ("site" + std::to_string(curves.size() + 1))};
+    const SiteJob job{&set, &run, curve.deepest_mm, solver, kept / place_name(set, run, curve.deepest_mm)};
     fs::create_directories(job.kept);
     const Site site = forward.site(run);
     if (is_case) fit_factor(site, base_of_case(set, start), solve_case(job, site, start, law_unknown || start.law->name == "neo_hookean", threads, curve), curve);

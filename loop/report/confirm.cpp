@@ -9,7 +9,6 @@
 
 #include <palpate/errors.hpp>
 #include <palpate/mesh_files.hpp>
-#include <palpate/settings.hpp>
 #include <palpate/text_file.hpp>
 #include <loop/forward/case_curve.hpp>
 #include <loop/forward/process.hpp>
@@ -103,7 +102,7 @@ std::vector<double> solved(const std::string& text, const fs::path& mesh, const 
 
 fs::path mesh_of(const Session& s, const Run& run, const fs::path& folder, Confirmation& c) {
   const Specimen& specimen = s.set->specimen;
-  if (!specimen.case_file.empty()) return specimen.case_file.parent_path() / Settings::read(specimen.case_file).text("mesh", "mesh.vtu");
+  if (!specimen.case_file.empty()) return mesh_of_case(specimen.case_file);
   const double R = s.set->tools.at(run.tool).radius_mm, deepest = *std::max_element(run.u.begin(), run.u.end());
   const TetMesh mesh = shape_mesh(specimen, run.point_mm, 0.6 * std::min(std::sqrt(R * deepest), R));
   c.nodes = static_cast<int>(mesh.points.size());
