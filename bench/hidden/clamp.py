@@ -2,7 +2,7 @@
 # Makes sets of a clamped tube with something hidden in it: palpate-solve closes and opens finer, slower walls than the loop solves, noise is added,
 # and the answers go to a file of their own.
 # SPDX-License-Identifier: GPL-3.0-or-later
-#   clamp.py BIN SOLVES FOLDER [--effects none,zone,viscosity,friction,jaw_angle] [--seed N] [--nulls N] [--repeatability PERCENT] [--coarse] [--middle]
+#   clamp.py BIN SOLVES FOLDER [--effects none,zone,viscosity,friction,jaw_angle] [--seed N] [--nulls N] [--repeatability PERCENT] [--coarse] [--sites MM,MM]
 # BIN: the executables. SOLVES: curves are kept there. FOLDER gets one set per effect, and answers.jsonl. --coarse: one place and a coarse
 # mesh, for tests. Time: the solver's, times SCALE; a quasi-static wall knows no other time than its relaxation.
 import argparse
@@ -13,18 +13,19 @@ import pathlib
 import random
 import subprocess
 
-DIAMETER, WALL, MU, SCALE = 25.0, 1.2, 0.25, 100.0  # mm, mm, MPa (of the solves; each set has its own), s per s
+DIAMETER, MU, SCALE = 25.0, 0.25, 100.0  # mm, MPa (of the solves; each set has its own), s per s
 SENSOR = 0.002  # N
 
 
 class Rig:
     """Where the jaws close, on which mesh, how far."""
-    def __init__(self, coarse, middle):
-        self.length, self.sites = (60.0, [30.0]) if coarse else (80.0, [24.0, 40.0, 56.0])
-        self.sites = self.sites[len(self.sites) // 2:][:1] if middle else self.sites
-        self.edges = (3.6, 3.6) if coarse else (2.0, 3.2)  # at the jaws, elsewhere
+    def __init__(self, coarse, sites):
+        self.length, self.sites, self.wall = (40.0, [20.0], 2.4) if coarse else (80.0, [24.0, 40.0, 56.0], 1.2)
+        self.sites = sites or self.sites
+        self.edges = (3.6, 4.4) if coarse else (2.0, 3.2)  # at the jaws, elsewhere
         self.edges_slow = (4.5, 4.5) if coarse else (3.3, 4.4)  # of runs with relaxation, which take ten times as long
-        self.gap, self.gap_sealed, self.speed, self.hold_s = 3.8, 6.0, 180.0, 0.1
+        self.set_edge = 4.8 if coarse else 3.0
+        self.gap, self.gap_sealed, self.speed, self.hold_s = (7.0, 9.0, 180.0, 0.06) if coarse else (3.8, 6.0, 180.0, 0.1)
 
 
 def call(*words):
@@ -42,7 +43,7 @@ def mesh(a, rig, knobs, site):
         words, name = [f"--zone={low},{high},{1 + knobs['excess']}", "--zone-edge", 1], f"{name}-{low:.3f}-{high:.3f}-{knobs['excess']:.4f}"
     file = a.solves / f"{name}.vtu"
     if not file.exists():
-        call(a.bin / "palpate-mesh", tube, file, "--kind", "shell", "--thickness", WALL, "--offset", -WALL / 2, "--edge", edges[1], f"--focus=0,0,{site}",
+        call(a.bin / "palpate-mesh", tube, file, "--kind", "shell", "--thickness", rig.wall, "--offset", -rig.wall / 2, "--edge", edges[1], f"--focus=0,0,{site}",
              "--focus-edge", edges[0], "--focus-radius", 11, "--jaws-axis=0,-1,0", "--quiet", *words)
     return file
 
@@ -73,7 +74,10 @@ def curve(a, rig, knobs, site, gap, slower=1):
             text += f'[[effect]]\nname = "prony"\ng = {knobs["g"]}\ntau_s = {knobs["tau_s"] / SCALE / slower}\n'
         closed(a, name, wall, text, rig.speed)
     with open(folder / "history.csv") as file:
-        return sampled(still([(SCALE * slower * float(r["t[s]"]), DIAMETER - float(r["gap[mm]"]), float(r["F[N]"])) for r in csv.DictReader(file)], slower, "g" in knobs))
+        rows = [(SCALE * slower * float(r["t[s]"]), DIAMETER - float(r["gap[mm]"]), float(r["F[N]"])) for r in csv.DictReader(file)]
+    # a row's force is the mean since the row before
+    rows = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, b[2]) for a, b in zip(rows, rows[1:])]
+    return sampled(still(rows, slower, "g" in knobs))
 
 
 def still(rows, slower, relaxes):
@@ -135,10 +139,10 @@ def write_set(a, rig, name, effect, seed):
     rng = random.Random(seed)
     knobs, mu = hidden(effect, rng), rng.uniform(0.1, 0.4)
     if effect == "zone" and len(rig.sites) == 1:
-        knobs["place"] += rig.sites[0] - 40
+        knobs["place"] += rig.sites[0] - 40  # beside the middle, under the jaws
     folder = a.folder / name
     folder.mkdir(parents=True)
-    text = (f'schema = "palpate-set/1"\n\n[specimen]\nid = "{name}"\nshape = "tube"\ndiameter_mm = {DIAMETER}\nlength_mm = {rig.length}\nwall_mm = {WALL}\nedge_mm = {4.0 if a.coarse else 3.0}\n'
+    text = (f'schema = "palpate-set/1"\n\n[specimen]\nid = "{name}"\nshape = "tube"\ndiameter_mm = {DIAMETER}\nlength_mm = {rig.length}\nwall_mm = {rig.wall}\nedge_mm = {rig.set_edge}\n'
             'law = "neo_hookean"\n\n[rig]\ncompliance_mm_per_N = 0.0\n\n[tool.jaws]\nkind = "jaws"\nwidth_mm = 40.0\nlength_mm = 10.0\n')
     for order, (run, site, gap, slower, group, role) in enumerate(runs_of(rig, knobs)):
         rows = noisy(rng, [(t, u, f * mu / MU) for t, u, f in curve(a, rig, knobs, site, gap, slower)], a.repeatability / 100)
@@ -160,10 +164,10 @@ def main():
     parser.add_argument("--nulls", type=int, default=1, help="sets without effect")
     parser.add_argument("--repeatability", type=float, default=1.0)
     parser.add_argument("--coarse", action="store_true")
-    parser.add_argument("--middle", action="store_true", help="jaws close at the middle place only")
+    parser.add_argument("--sites", type=lambda text: [float(z) for z in text.split(",")], help="where the jaws close, mm along the tube; the middle one of the list is also closed slowly, and sealed")
     a = parser.parse_args()
     a.solves.mkdir(parents=True, exist_ok=True)
-    rig, number = Rig(a.coarse, a.middle), 0
+    rig, number = Rig(a.coarse, a.sites), 0
     for effect in a.effects.split(","):
         for _ in range(a.nulls if effect == "none" else 1):
             number += 1

@@ -10,14 +10,19 @@
 namespace palpate::loop {
 namespace {
 
-constexpr double sliding_share = 0.05;  ///< of the closure, over which s goes from 1 to −1 after a reversal
+constexpr double sliding_share = 0.05;  ///< of the closure, over which s goes from 1 to 0 after a reversal
+constexpr double resting_share = 1e-4;  ///< of the closure, from sample to sample, below which the jaws rest
 constexpr double largest_change = 6;    ///< of ln F: beyond it nothing was solved
 
-/// s at each sample.
-std::vector<double> ways(const std::vector<double>& u) {
-  const double reach = sliding_share * std::max(*std::max_element(u.begin(), u.end()), 1e-9);
-  std::vector<double> s(u.size(), 1);
-  for (std::size_t i = 1; i < u.size(); ++i) s[i] = std::clamp(s[i - 1] + (u[i] - u[i - 1]) / reach, -1.0, 1.0);
+/// s at each sample: of what rubs, which stays as it is at rest, and of the wall's own drag in the solver, which goes.
+std::vector<Way> ways(const std::vector<double>& u) {
+  const double largest = std::max(*std::max_element(u.begin(), u.end()), 1e-9), reach = sliding_share * largest;
+  std::vector<Way> s(u.size());
+  for (std::size_t i = 1; i < u.size(); ++i) {
+    const double moved = u[i] - u[i - 1];
+    s[i].rubbing = std::clamp(s[i - 1].rubbing + moved / reach, -1.0, 1.0);
+    s[i].drag = std::abs(moved) < resting_share * largest ? 0 : std::clamp(s[i - 1].drag + moved / reach, -1.0, 1.0);
+  }
   return s;
 }
 
@@ -75,14 +80,21 @@ std::vector<double> relaxed(const ClampSite& site, const Tissue& tissue, const C
 }
 
 /// The curve's own error at u.
-double form_at(const ClampCurves& curves, const ClampSite& site, const std::vector<double>& form, double u, double s) {
-  if (form.empty()) return 0;
+double form_at(const ClampCurves& curves, const ClampSite& site, const Eigen::VectorXd& form, double u, double s) {
+  if (form.size() == 0) return 0;
   const double x = std::clamp(u / curves.deepest_mm, 0.0, 1.0);
   const std::size_t i = std::clamp<std::size_t>(std::upper_bound(form_places.begin(), form_places.end(), x) - form_places.begin(), 1, form_places.size() - 1);
   const double share = (x - form_places[i - 1]) / (form_places[i] - form_places[i - 1]);
   const auto way = [&](std::size_t first) { return (1 - share) * form[first + i - 1] + share * form[first + i]; };
   const std::size_t first = forms_of_site * static_cast<std::size_t>(site.index);
   return 0.5 * (1 + s) * way(first) + 0.5 * (1 - s) * way(first + form_places.size());
+}
+
+/// c e / (e + m) through A at a and B at b, which is less than in proportion; where B is less than A no such curve is: straight lines through both.
+double saturating(double e, double a, double b, double A, double B) {
+  const double m = (B - A) / (A / a - B / b);
+  if (m > 0 && e / a > 0) return A * (a + m) / a * e / (e + m);
+  return e / a <= 1 ? A * e / a : A + (B - A) * (e - a) / (b - a);
 }
 
 }  // namespace
@@ -99,8 +111,9 @@ double Change::at(double e, double u, double s) const {
   if (changes.empty() || e == 0) return 0;
   const double a = amplitudes[0];
   if (changes.size() == 1) return e / a * changes[0].at(u, s);
-  const double b = amplitudes[1];
-  return changes[0].at(u, s) * e * (e - b) / (a * (a - b)) + changes[1].at(u, s) * e * (e - a) / (b * (b - a));
+  const double b = amplitudes[1], A = changes[0].at(u, s), B = changes[1].at(u, s);
+  if (a * b > 0 && std::abs(B) < std::abs(A * b / a)) return saturating(e, a, b, A, B);
+  return A * e * (e - b) / (a * (a - b)) + B * e * (e - a) / (b * (b - a));
 }
 
 const ClampSite& ClampCurves::site(const Vec3& point) const {
@@ -109,9 +122,10 @@ const ClampSite& ClampCurves::site(const Vec3& point) const {
   throw Failure(ExitCode::defect, "no curve of a clamp was solved there");
 }
 
-double clamp_elastic(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& form, double u, double s) {
+double clamp_elastic(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const Eigen::VectorXd& form, double u, Way way) {
   const double modulus = modulus_ratio(curves, tissue);
-  double change = site.friction.at(tissue.friction, u, s) + site.angle.at(tissue.jaw_angle_deg, u, s) + form_at(curves, site, form, u, s);
+  const double s = way.rubbing;
+  double change = site.friction.at(tissue.friction, u, s) + site.angle.at(tissue.jaw_angle_deg, u, s) + form_at(curves, site, form, u, way.drag);
   for (const auto& [index, law] : site.laws) {
     const double own = std::log(tissue.parameters[index] / curves.parameters[index]);
     change += law.at(tissue.law->parameters[index].unit == "MPa" ? own - std::log(modulus) : own, u, s);
@@ -120,11 +134,12 @@ double clamp_elastic(const ClampCurves& curves, const ClampSite& site, const Tis
     for (const Slice& slice : site.slices)
       if (const double part = covered(slice, zone); part > 0) change += part * slice.thicker.at(std::log1p(zone.excess), u, s);
   const double e = curves.small_N;
-  return modulus * ((site.force.at(u, s) + e) * std::exp(std::clamp(change, -largest_change, largest_change)) - e);
+  return modulus * ((site.force.at(u, way.drag) + e) * std::exp(std::clamp(change, -largest_change, largest_change)) - e);
 }
 
-std::vector<double> clamp_force(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& form, const ClampHistory& history) {
+std::vector<double> clamp_force(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& forms, const ClampHistory& history) {
   const auto s = ways(history.u_mm);
+  const Eigen::VectorXd form = forms.empty() ? Eigen::VectorXd() : Eigen::VectorXd(curves.forms * Eigen::Map<const Eigen::VectorXd>(forms.data(), static_cast<Eigen::Index>(forms.size())));
   std::vector<double> force;
   for (std::size_t i = 0; i < s.size(); ++i) force.push_back(clamp_elastic(curves, site, tissue, form, history.u_mm[i], s[i]));
   if (tissue.prony.empty()) return force;

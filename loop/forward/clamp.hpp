@@ -1,7 +1,7 @@
 // A tube closed between jaws: the force over closure as palpate-solve has it, and what effects change of it, all from whole runs.
 // u = declared diameter − gap between the jaws. F(u) = m (F₀ + ε) exp(Σ changes of ln(F + ε)) − mε, m the modulus over that of the solves, ε half a percent of the largest
-// force; each change is a parabola through none and two amplitudes that were solved. F₀ closing and opening differ where the wall rubs or damps: between
-// them goes s = ±1, which follows the motion over 5 % of the closure. Relaxation: F(t) = F₀ Σ_k r_k(t) F(u, k) / Σ_k h_k(u) F(u, k), F(j, k) the force of the stresses of closure k in
+// force; each change goes through none and two amplitudes that were solved: a parabola, or where it saturates (friction that holds on already) c e / (e + m). Curves closing and opening differ: between them goes s = ±1, which follows the
+// motion over 5 % of the closure. F₀ has no friction and differs by the solver's drag alone: its s is 0 at rest; of what rubs it stays. Relaxation: F(t) = F₀ Σ_k r_k(t) F(u, k) / Σ_k h_k(u) F(u, k), F(j, k) the force of the stresses of closure k in
 // the shape of closure j (solver/explicit/stress_works.hpp), h the hats of the moments k, r = ∫ G(t − s) dh(u(s)).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -25,7 +25,7 @@ struct BothWays {
   double at(double u_mm, double s) const { return 0.5 * (1 + s) * closing.at(u_mm) + 0.5 * (1 - s) * opening.at(u_mm); }
 };
 
-/// What an effect changes, solved at two amplitudes (one: a straight line).
+/// What an effect changes, solved at two amplitudes (one: a straight line), of one sign where it may saturate.
 struct Change {
   std::vector<double> amplitudes;
   std::vector<BothWays> changes;
@@ -57,7 +57,8 @@ inline constexpr std::size_t forms_of_site = 2 * form_places.size();  ///< closi
 /// Everything solved of a set's clamp.
 struct ClampCurves {
   double deepest_mm = 0, small_N = 0;        ///< ε
-  std::vector<double> form_sd;               ///< of ln(F + ε) at the places of each site: what meshes differ by
+  Eigen::MatrixXd forms;                     ///< of ln(F + ε) at the places of each site, per deviation of each of the curves' own errors: what meshes differ by
+  double form_sd() const { return forms.rows() > 0 ? forms.rowwise().norm().mean() : 0; }
   double correlation = 0;                    ///< of the scatter, from one block of samples to the next
   double scatter = 0;                        ///< what meshes differ by between these places, over the largest force
   std::vector<double> parameters;            ///< of the law, in the solves
@@ -66,14 +67,19 @@ struct ClampCurves {
   const ClampSite& site(const Vec3& point_mm) const;
 };
 
-/// Forces at closures `u_mm` at times `t_s`; `form`: the curves' own errors as form_sd orders them, or nothing. No compliance.
+/// Forces at closures `u_mm` at times `t_s`; `forms`: how large each of the curves' own errors is, in deviations, or nothing. No compliance.
 struct ClampHistory {
   const std::vector<double>& t_s;
   const std::vector<double>& u_mm;
 };
-std::vector<double> clamp_force(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& form, const ClampHistory& history);
+std::vector<double> clamp_force(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& forms, const ClampHistory& history);
 
-/// The elastic force alone; s as above.
-double clamp_elastic(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const std::vector<double>& form, double u_mm, double s);
+/// From 1, closing, to −1, opening.
+struct Way {
+  double rubbing = 1, drag = 1;
+};
+
+/// The elastic force alone; `form` of ln(F + ε) at the places of each site, or nothing.
+double clamp_elastic(const ClampCurves& curves, const ClampSite& site, const Tissue& tissue, const Eigen::VectorXd& form, double u_mm, Way way);
 
 }  // namespace palpate::loop

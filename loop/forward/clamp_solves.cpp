@@ -9,6 +9,7 @@
 #include <palpate/card.hpp>
 #include <palpate/errors.hpp>
 #include <loop/forward/clamp_closing.hpp>
+#include <loop/forward/clamp_errors.hpp>
 #include <loop/forward/process.hpp>
 #include <loop/methods/parallel.hpp>
 #include <loop/methods/session.hpp>
@@ -57,7 +58,7 @@ EvenCurve even(std::vector<std::pair<double, double>> points, double low, double
   return curve;
 }
 
-/// In, out, and the mean at rest for the end of both.
+/// In, out, and the mean at rest for the end of both. A row's force is the mean since the row before, so it belongs to the closure half-way between them.
 BothWays curves_of(const Bench& b, const fs::path& result) {
   const CsvTable table = read_csv(result / "history.csv");
   const auto gap = table.numbers("gap", "mm"), F = table.numbers("F", "N");
@@ -65,12 +66,12 @@ BothWays curves_of(const Bench& b, const fs::path& result) {
   std::vector<std::pair<double, double>> in, out;
   double rest = 0;
   int resting = 0;
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (gap[i] <= closed) {
+  for (std::size_t i = 1; i < gap.size(); ++i) {
+    if (gap[i - 1] <= closed && gap[i] <= closed) {
       rest += F[i];
       ++resting;
     } else {
-      (resting > 0 ? out : in).push_back({b.set.specimen.size_mm[0] - gap[i], F[i]});
+      (resting > 0 ? out : in).push_back({b.set.specimen.size_mm[0] - (gap[i - 1] + gap[i]) / 2, F[i]});
     }
   }
   if (resting == 0) throw Failure(ExitCode::not_converged, "the solver does not close the jaws", result.string());
@@ -94,6 +95,8 @@ EvenCurve mean_of(const std::vector<BothWays>& all, EvenCurve BothWays::*way, do
   return mean;
 }
 
+bool in_the_middle(const Bench& b, const Run& run) { return std::abs(run.point_mm[2] - b.set.specimen.size_mm[2] / 2) < 1e-6; }
+
 /// Everything that is solved of a site, in this order: the meshes, friction, angle, the law's parameters, slices.
 std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
   std::vector<Closing> jobs;
@@ -106,6 +109,7 @@ std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
   const double thick = std::clamp(most, 0.1, 0.4);
   for (double from = 0; from < length - 1e-6; from += slice_mm) {
     const double to = std::min(from + slice_mm, length);
+    if (in_the_middle(b, run) && from + to > length + 1e-6) continue;  // the other half is its mirror image
     if (to < run.point_mm[2] - reach_mm || from > run.point_mm[2] + reach_mm) continue;
     for (double excess : {-0.2, thick}) jobs.push_back({.edge_mm = b.set.specimen.edge_mm, .from = from, .to = to, .excess = excess});
   }
@@ -140,7 +144,7 @@ Rough rough_part(const Bench& b, const std::vector<BothWays>& all, const BothWay
   return {rough.squares / count, rough.neighbours / count};
 }
 
-ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, std::vector<double>& site_squares, Rough& rough) {
+ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, Eigen::Ref<Eigen::MatrixXd> apart, Rough& rough) {
   ClampSite site;
   site.point_mm = run.point_mm;
   std::vector<BothWays> all;
@@ -153,11 +157,12 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
   };
   const Rough own = rough_part(b, all, site.force, small);
   rough = {rough.squares + own.squares, rough.neighbours + own.neighbours};
+  Eigen::Index row = 0;
   for (const auto way : {&BothWays::closing, &BothWays::opening})
     for (double place : form_places) {
-      double squares = 0;
-      for (std::size_t i = 0; i < std::size(finer); ++i) squares += std::pow(std::log(((all[i].*way).at(place * b.deepest_mm) + small) / ((site.force.*way).at(place * b.deepest_mm) + small)), 2);
-      site_squares.push_back(squares / (std::size(finer) - 1));
+      const double u = place * b.deepest_mm, mean = (site.force.*way).at(u) + small;
+      for (std::size_t i = 0; i < std::size(finer); ++i) apart(row, static_cast<Eigen::Index>(i)) = std::log((std::max((all[i].*way).at(u), 0.0) + small) / mean);
+      ++row;
     }
   for (std::size_t i = std::size(finer); i < jobs.size(); ++i) {
     const Closing& job = jobs[i];
@@ -175,6 +180,12 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
     of->amplitudes.push_back(amplitude);
     of->changes.push_back(change(i));
   }
+  if (in_the_middle(b, run))
+    for (std::size_t k = site.slices.size(); k-- > 0;) {
+      const Slice half = site.slices[k];
+      const double length = b.set.specimen.size_mm[2];
+      if (half.from + half.to < length - 1e-6) site.slices.push_back({length - half.to, length - half.from, half.thicker});
+    }
   const CsvTable works = read_csv(results[0] / "stress_works.csv");
   const auto depth = works.numbers("depth", "mm");
   const auto n = static_cast<Eigen::Index>(depth.size());
@@ -185,19 +196,6 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
   }
   for (double d : depth) site.moments_mm.push_back(d - ahead_mm);
   return site;
-}
-
-}  // namespace
-
-namespace {
-
-/// Deviations from mean squares, each with its like at the other sites and places, which have as many votes together as it has alone; the mean over meshes is itself off by a share.
-std::vector<double> pooled(const std::vector<double>& squares) {
-  double mean = 0;
-  for (double x : squares) mean += x / static_cast<double>(squares.size());
-  std::vector<double> sd;
-  for (double x : squares) sd.push_back(std::sqrt(0.5 * (x + mean) * (1 + 1.0 / std::size(finer))));
-  return sd;
 }
 
 }  // namespace
@@ -229,16 +227,17 @@ ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, cons
   const auto first = curves_of(b, results[0]).closing;
   curves.small_N = small_share * *std::max_element(first.values.begin(), first.values.end());
   curves.deepest_mm = deepest;
-  std::vector<double> squares;
+  const auto of_site = static_cast<Eigen::Index>(forms_of_site);
+  Eigen::MatrixXd apart(of_site * static_cast<Eigen::Index>(places.size()), std::size(finer));
   Rough rough;
   auto at = results.begin();
   for (const Run* run : places) {
     const auto jobs = jobs_of(b, *run);
-    curves.sites.push_back(site_of(b, *run, jobs, {at, at + static_cast<long>(jobs.size())}, curves.small_N, squares, rough));
+    curves.sites.push_back(site_of(b, *run, jobs, {at, at + static_cast<long>(jobs.size())}, curves.small_N, apart.middleRows(of_site * static_cast<Eigen::Index>(curves.sites.size()), of_site), rough));
     curves.sites.back().index = static_cast<int>(curves.sites.size()) - 1;
     at += static_cast<long>(jobs.size());
   }
-  curves.form_sd = pooled(squares);
+  curves.forms = own_errors(apart);
   const double sites = static_cast<double>(places.size());
   curves.scatter = std::sqrt(rough.squares / sites * (static_cast<double>(set.runs.size()) / sites));  // it is the same in all runs of a site
   curves.correlation = std::clamp(rough.neighbours / std::max(rough.squares, 1e-300), 0.0, 0.9);

@@ -29,7 +29,7 @@ struct Model {
   double form[3] = {0, 0, 0};      ///< error of the elastic curve itself: × (1 + form₀ (2x − 1) + form₁ (6x² − 6x + 1)), x = depth/deepest + form₂
   std::map<std::string, std::array<double, 2>> tool_form;  ///< and of each further tool's: × (1 + e₀ + e₁ (2x − 1))
   double mesh_form = 0;            ///< of a case: how much further than the finer mesh the truth is from the coarser, less the third that is taken already (site_curve.hpp)
-  std::vector<double> clamp_form;  ///< of a clamp's curves: their own error at each place (ClampCurves::form_sd)
+  std::vector<double> clamp_form;  ///< of a clamp's curves: how large each of their own errors is, in deviations (ClampCurves::forms)
   std::vector<Active> active;
 };
 

@@ -35,11 +35,8 @@ void add_effect(Active& active, std::vector<FitParameter>& list) {
 /// of its standard deviations, beyond which it is not the curve's.
 void add_form(Model& model, const Set& set, std::vector<FitParameter>& list) {
   if (set.specimen.shape == "tube") {
-    model.clamp_form.resize(set.clamp_form_sd.size());
-    for (std::size_t i = 0; i < model.clamp_form.size(); ++i) {
-      const double sd = set.clamp_form_sd[i];
-      list.push_back({"form." + std::to_string(i), "1", &model.clamp_form[i], -4 * sd, 4 * sd, false, 1e-3, 0, sd});
-    }
+    model.clamp_form.resize(set.clamp_forms);
+    for (std::size_t i = 0; i < model.clamp_form.size(); ++i) list.push_back({"form." + std::to_string(i), "1", &model.clamp_form[i], -4, 4, false, 0.05, 0, 1});
     return;
   }
   for (int i : {0, 1, 2}) {

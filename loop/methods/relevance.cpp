@@ -99,7 +99,7 @@ bool matters(const Session& s, const Model& model) {
   const Effect& last = *model.active.back().effect;
   const bool elastic = last.entry.kind == "material" || last.entry.kind == "start" || last.entry.kind == "layer" || s.set->specimen.shape == "tube";  // a change of the curve, known to form_sd
   double known = std::hypot(s.set->curve_sd, s.set->mesh_sd * s.set->mesh_apart);  // of a clamp: half of the force, over the curve, times what its meshes differ by
-  for (double sd : s.set->clamp_form_sd) known += 0.5 * sd / static_cast<double>(s.set->clamp_form_sd.size());
+  known += 0.5 * s.set->clamp_form_sd;
   const bool further = model.active.size() > 1;
   const double least = further ? thresholds::further_matters : elastic ? std::max(thresholds::matters, known) : thresholds::matters;
   return last.lateral || change_by_last(s, model, further) >= least;
@@ -116,6 +116,14 @@ double error_in_N(const Session& s, const Model& model) {
   return std::sqrt(squares);
 }
 
+/// The same of noise alone.
+double noise_in_N(const Session& s) {
+  double squares = 0;
+  for (std::size_t i = 0; i < s.problem.runs.size(); ++i)
+    if (s.set->runs[s.problem.runs[i]].role == Role::fit) squares += s.problem.whiteners[i].variance();
+  return std::sqrt(squares);
+}
+
 }  // namespace
 
 bool lowers_error(const Session& s, const Model& model) {
@@ -123,7 +131,9 @@ bool lowers_error(const Session& s, const Model& model) {
   if (last.lateral || last.compliance) return true;
   Model without = model;
   without.active.pop_back();
-  return error_in_N(s, model) <= (1 - thresholds::error_fall) * error_in_N(s, without);
+  const double before = error_in_N(s, without);
+  const bool within_noise = s.set->specimen.shape == "tube" && before <= noise_in_N(s);  // a clamp's curve is known to no better than what meshes differ by
+  return error_in_N(s, model) <= (1 - (within_noise ? thresholds::relevance : thresholds::error_fall)) * before;
 }
 
 double excess(const Session& s, double chi2) {

@@ -63,7 +63,8 @@ std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set, co
   fs::path solves = c.text("solves");
   if (solves.empty()) solves = goes.emplace(scratch / "palpate-solves", PendingOutput::Kind::folder, true).temporary();
   auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, solves, c.threads(), [&](const std::string& remark) { c.say(remark); }));
-  set.clamp_form_sd = curves->form_sd;
+  set.clamp_forms = static_cast<int>(curves->forms.cols());
+  set.clamp_form_sd = curves->form_sd();
   set.clamp_scatter = curves->scatter;
   set.clamp_correlation = curves->correlation;
   return curves;

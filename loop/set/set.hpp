@@ -84,7 +84,8 @@ struct Set {
   double tool_curve_sd = thresholds::form_tool_sd;  ///< the same from tool to tool,
   double tool_size_sd = thresholds::form_sd;        ///< and its size from tool to tool;
   double mesh_sd = 0, mesh_apart = 0;               ///< what a case's two meshes differ by in shape, rms, relative, and of how much of that its curve is still off by
-  std::vector<double> clamp_form_sd;  ///< of a clamp's solved curves: what they are off by, as its solves tell (loop/forward/clamp.hpp)
+  int clamp_forms = 0;                ///< ways in which a clamp's solved curves are off, as its solves tell (loop/forward/clamp_errors.hpp)
+  double clamp_form_sd = 0;           ///< by how much, relative, mean over their places
   double clamp_correlation = 0;       ///< of this scatter, from one block to the next
   double clamp_scatter = 0;           ///< the same between the places of these, of one sample, over the largest force
   std::map<std::string, Tool> tools;

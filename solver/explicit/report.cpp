@@ -8,11 +8,14 @@
 
 #include <palpate/text_file.hpp>
 #include <solver/explicit/closing.hpp>
+#include <solver/explicit/jaws_mesh.hpp>
 #include <solver/explicit/stress_works.hpp>
 #include <solver/restart.hpp>
 
 namespace palpate::explicit_shell {
 namespace {
+
+constexpr double jaw_edge = 2;  ///< mm, of the hexahedra that show the jaws
 
 struct Report {
   Closing& closing;
@@ -114,6 +117,7 @@ struct Report {
     jaws.triangle_region.assign(jaws.triangles.size(), 1);
     jaws.region_names = {{1, "jaw"}};
     write_surface(folder / "jaws.vtp", jaws);
+    write_text(folder / "jaws.vtu", blocks_as_vtu(closing.jaws.corners(), jaw_edge, closing.c.clamp.mass));
   }
 
   Json finish() {

@@ -26,6 +26,26 @@ if not (0.5 < s["peak_force_N"] < 20 and 0 < s["max_strain"] < 1.5 and s["energy
     raise SystemExit(f"not a closed tube: {s}")
 PY
 
+# the jaws are hexahedra with mass, each a block of 40 x 10 x 10 mm, as far apart as the gap
+python3 - <<'PY'
+import json, xml.etree.ElementTree as tree
+piece = tree.parse("one/jaws.vtu").getroot().find("UnstructuredGrid/Piece")
+array = {a.get("Name"): a.text.split() for a in piece.iter("DataArray")}
+x = [float(v) for v in array["points"]]
+points, cells = [x[i:i + 3] for i in range(0, len(x), 3)], [int(v) for v in array["connectivity"]]
+if set(array["types"]) != {"12"}: raise SystemExit(f"not hexahedra: {set(array['types'])}")
+volume, mass, height = {1: 0, 2: 0}, {1: 0, 2: 0}, {1: [], 2: []}
+for c, (jaw, m) in enumerate(zip(map(int, array["region"]), map(float, array["mass"]))):
+    p = [points[i] for i in cells[8 * c:8 * c + 8]]
+    a, b, d = ([q - o for q, o in zip(p[k], p[0])] for k in (1, 3, 4))
+    volume[jaw] += a[0] * (b[1] * d[2] - b[2] * d[1]) + a[1] * (b[2] * d[0] - b[0] * d[2]) + a[2] * (b[0] * d[1] - b[1] * d[0])
+    mass[jaw] += m
+    height[jaw] += [q[1] for q in p]
+gap = min(height[1]) - max(height[2])
+if not (all(abs(volume[j] - 4000) < 1e-6 and abs(mass[j] - 3e-5) < 1e-12 for j in (1, 2)) and abs(gap - 2.6) < 1e-6):
+    raise SystemExit(f"jaws: volumes {volume}, masses {mass}, {gap} mm apart")
+PY
+
 # quasi-static where the case says so: the jaws wait, the force at the end stays
 sed 's/^frames/kinetic_part = 0.05\nframes/' case.toml > slow.toml
 "$bin/palpate-solve" slow.toml slow --quiet >/dev/null
@@ -71,6 +91,14 @@ PY
 # the same by centre line and angle, with what the case says of the jaws
 "$bin/palpate-mesh" tube.vtp placed.vtu --kind shell --thickness 0.8 --offset -0.4 --jaws-place 30 --focus-radius 8 --quiet >placed.txt
 grep -qE '^axis = \[-?[0-9.e-]+, -1, ' placed.txt || { echo "jaws placed at:"; cat placed.txt; exit 1; }
+{ sed '/^centre_mm/d; s/^speed.*/speed_mm_s = 400\ngap_mm = 14/; /^\[steps\]/,$d' case.toml; cat placed.txt; printf '[steps]\nframes = 1\nrows = 20\n'; } > placed.toml
+sed 's/^speed.*/speed_mm_s = 400\ngap_mm = 14\naxis = [0, -1, 0]/; s/^frames.*/frames = 1/' case.toml > told.toml
+for name in placed told; do "$bin/palpate-solve" $name.toml $name --mesh placed.vtu --quiet >/dev/null; done
+python3 - <<'PY'
+import json
+placed, told = (json.load(open(f + "/summary.json"))["peak_force_N"] for f in ("placed", "told"))
+if not (placed > 0.01 and abs(placed / told - 1) <= 0.01): raise SystemExit(f"jaws by centre line and angle: {placed} N, by axis and centre: {told} N")
+PY
 if "$bin/palpate-mesh" tube.vtp nowhere.vtu --kind shell --jaws-axis=0,-1,0 --quiet 2>message || ! grep -q 'folds lie at a --focus' message; then echo "folds without a focus are not refused"; exit 1; fi
 
 # a tension on the inner face: with time to settle the wall is at rest when the jaws begin, without it swings

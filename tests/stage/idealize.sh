@@ -51,4 +51,41 @@ got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu $shell --zone 60,40,2 2>message 
 if [ $got != 2 ] || ! grep -q "two places in mm, ascending" message; then echo "a zone the wrong way round is not told:"; cat message; exit 1; fi
 got=0; "$bin/palpate-mesh" cylinder.vtp bad.vtu $shell --polyp 50,0,50 2>message || got=$?
 if [ $got != 2 ] || ! grep -q "reaches no node" message; then echo "a polyp in the air is not told:"; cat message; exit 1; fi
-echo "cylinder fitted, cut, meshed and thickened"
+
+# the wall measured from a label: outside a lumen of 19 mm, 1.5 mm thick on one side and 2.5 mm on the other, in voxels of half a millimetre
+python3 - <<'PY'
+import gzip, math, struct
+n, m, h = 60, 121, 0.5
+header = bytearray(348)
+struct.pack_into("<i", header, 0, 348)
+struct.pack_into("<8h", header, 40, 3, n, n, m, 1, 1, 1, 1)
+struct.pack_into("<2h", header, 70, 2, 8)
+struct.pack_into("<8f", header, 76, 1, h, h, h, 1, 1, 1, 1)
+struct.pack_into("<f", header, 108, 352)
+struct.pack_into("<2f", header, 112, 1, 0)
+header[123] = 2
+struct.pack_into("<2h", header, 252, 0, 1)
+corner = -h * (n - 1) / 2
+for row, values in enumerate(((h, 0, 0, corner), (0, h, 0, corner), (0, 0, h, 0))): struct.pack_into("<4f", header, 280 + 16 * row, *values)
+header[344:348] = b"n+1\0"
+voxels = bytearray()
+for k in range(m):
+    for j in range(n):
+        for i in range(n):
+            x, y = corner + h * i, corner + h * j  # RAS: y here is -y of the mesh
+            r = math.hypot(x, y)
+            voxels.append(1 if 9.5 <= r <= (12.0 if y > 0 else 11.0) else 0)
+open("labels.nii.gz", "wb").write(gzip.compress(bytes(header) + bytes(4) + bytes(voxels)))
+PY
+"$bin/palpate-idealize" lumen.vtp --diameter 19 --length 60 --edge 1.2 --quiet
+"$bin/palpate-mesh" lumen.vtp measured.vtu --kind shell --wall labels.nii.gz --offset 1 --quiet
+python3 - <<'PY'
+import json
+notes = json.load(open("measured.vtu.card.json"))["notes"]
+low, high = notes["thickness_mm"]
+if not (abs(low - 1.5) <= 0.25 and abs(high - 2.5) <= 0.25 and notes["wall_label"]["nodes_filled_from_neighbours"] == 0):  # half a voxel
+    raise SystemExit(f"from {low} to {high} mm, {notes['wall_label']}")
+PY
+got=0; "$bin/palpate-mesh" lumen.vtp bad.vtu --kind shell --wall labels.nii.gz --wall-label 7 --offset 1 --quiet 2>message || got=$?
+if [ $got = 0 ] || ! grep -q "label" message || [ -e bad.vtu ]; then echo "a label that is not there: $got"; cat message; exit 1; fi
+echo "cylinder fitted, cut, meshed, thickened and measured"
