@@ -188,6 +188,21 @@ if not (max(r["kinetic[mJ]"] for r in rows) > largest / 4 and json.load(open("pr
     raise SystemExit("that was no slam")
 PY
 
+# mass scaling: fewer cycles for 1 % of added mass and the same force; more than 5 % is not delivered
+sed 's/^speed.*/speed_mm_s = 400\ngap_mm = 20/' case.toml > plain.toml
+sed 's/^frames/least_step_s = 5e-5\nframes/' plain.toml > heavier.toml
+for name in plain heavier; do "$bin/palpate-solve" $name.toml $name --quiet >/dev/null; done
+python3 - <<'PY'
+import json
+plain, heavier = (json.load(open(f + "/summary.json")) for f in ("plain", "heavier"))
+if not (plain["added_mass_part"] == 0 < heavier["added_mass_part"] <= 0.05 and heavier["cycles"] < 0.8 * plain["cycles"]):
+    raise SystemExit(f"added mass {plain['added_mass_part']}, {heavier['added_mass_part']}; cycles {plain['cycles']}, {heavier['cycles']}")
+if not abs(heavier["mass_g"] * (1 - heavier["added_mass_part"]) / plain["mass_g"] - 1) <= 1e-9 or not abs(heavier["peak_force_N"] / plain["peak_force_N"] - 1) <= 0.02:
+    raise SystemExit(f"masses {plain['mass_g']}, {heavier['mass_g']} g; forces {plain['peak_force_N']}, {heavier['peak_force_N']} N")
+PY
+got=0; sed 's/5e-5/1e-4/' heavier.toml > bad.toml; "$bin/palpate-solve" bad.toml bad --quiet 2>message || got=$?
+if [ $got != 4 ] || ! grep -q 'added mass' message || [ -e bad ]; then echo "too much added mass: $got"; cat message; exit 1; fi
+
 # refused CODE WORD SED: the case changed so is refused with that code and word, and nothing is left
 refused() {
   local got=0
