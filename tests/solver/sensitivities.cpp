@@ -95,6 +95,16 @@ motion_mm = [0.2, 0.0, -0.6]
                       "displacement[0].motion_mm[2]", "force[0].total_N[0]"});
 }
 
+TEST_F(SensitivitiesOfARun, AToolThatTurns) {
+  write(soft + slanting + R"(friction = 0.3
+path = [[0, 0], [1, 0.8], [2, 0.8]]
+turn = { about = [0.1, 1.0, 0.0], from_tip_mm = [0.2, 0.0, 4.0], path = [[0, 0], [1, 0], [2, 12]] }
+[steps]
+count = 6
+)" + base);
+  expect_derivatives({"material.mu", "tool.friction", "tool.aim_mm[0]", "tool.turn.about[0]", "tool.turn.from_tip_mm[2]", "tool.turn.path[2][1]"});
+}
+
 /// Its depth is what answers.
 TEST_F(SensitivitiesOfARun, AToolWhoseForceIsGiven) {
   write(R"(
