@@ -56,6 +56,11 @@ double inclusion_factor(const Site& site, const Tissue& tissue, double contact_m
 
 }  // namespace
 
+const char* name_of(Strains strains) {
+  static constexpr const char* names[] = {"finite", "small", "series"};
+  return names[static_cast<int>(strains)];
+}
+
 double representative_strain(bool deep, double x, double chi) { return deep ? 0.18 + 0.01 * x + 0.5 * std::sqrt(x) * chi : 0.2; }
 
 double neo_hookean_depth(double x, double chi) { return std::max(1 - 0.068 * std::sqrt(x) - 0.092 * x - 0.312 * x * chi - 0.012 * x * x, 0.2); }
@@ -79,7 +84,8 @@ double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   const double half_space = flat ? 8 * R * mu * depth : 16.0 / 3 * mu * a * depth;
   const bool deep = site.strains == Strains::finite && !flat && tissue.law->name != "hooke_linear";
   const double y = flat ? depth / (5 * R) : a / R * representative_strain(deep, x, chi);
-  double factor = layer_factor(flat, site.bonded, tissue.nu, chi) * (deep ? law_over_neo_hookean_deep(tissue, y) : law_over_neo_hookean(tissue, y));
+  const bool series = site.strains == Strains::series && !flat;
+  double factor = (series ? dimitriadis_factor(site.bonded, tissue.nu, chi) : layer_factor(flat, site.bonded, tissue.nu, chi)) * (deep ? law_over_neo_hookean_deep(tissue, y) : law_over_neo_hookean(tissue, y));
   if (deep) factor *= neo_hookean_depth(x, chi) * compressible_depth(tissue.nu, x, chi);
   const double bare = half_space * from_nu * factor * inclusion_factor(site, tissue, a);
   return bare + skin_force(tissue, R, depth, chi, bare);

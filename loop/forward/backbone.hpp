@@ -8,8 +8,12 @@ namespace palpate::loop {
 /// How a ball's force departs from Hertz' at depth.
 enum class Strains {
   finite,  ///< as a neo-Hookean layer does that is solved at finite strain
-  small    ///< not at all, but for the law's own curve: what small-strain closed forms say
+  small,   ///< not at all, but for the law's own curve and the layer's exact factor: what small-strain theory says
+  series   ///< the same with the layer's factor from Dimitriadis' series, up to 8 % softer at χ = ½ (decision 020): what is commonly fitted
 };
+
+/// As reports name it.
+const char* name_of(Strains strains);
 
 /// Where a tool presses.
 struct Site {
@@ -20,7 +24,7 @@ struct Site {
   Strains strains = Strains::finite;
 };
 
-/// F(δ) in N. Ball: Hertz 16/3 μ √R δ^1.5 over 2 (1 − ν), times the exact factor of the layer at ν; at finite strains times neo_hookean_depth and
+/// F(δ) in N. Ball: Hertz 16/3 μ √R δ^1.5 over 2 (1 − ν), times the exact factor of the layer at ν (`series`: Dimitriadis'); at finite strains times neo_hookean_depth and
 /// compressible_depth; times the law's stress over the neo-Hookean one at the uniaxial stretch 1 − y, y = a/R representative_strain, a = √(Rδ), at finite strains over
 /// 1 + 0.34 ln of that ratio. Flat punch: 8 a μ δ, likewise at 1 − δ/(5a), without a factor for depth. Inclusion: F (1 + e s³/(1 + s³)), s = a/depth. Skin: its tension over
 /// the deflection of Hertz' solution, 2 c1 T δ, and its stretch, S = E h δ²/R (0.2 + 5.2 √x χ) as S/√(1 + 8.8 S/F), within 11 % of GetFEM where it changes the force by 2 to 23 %.

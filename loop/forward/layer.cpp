@@ -128,4 +128,11 @@ double layer_factor(bool flat, bool bonded, double nu, double at) {
   return t > 0 ? (1 - t) * factor(index) + t * factor(index + 1) : factor(index);
 }
 
+double dimitriadis_factor(bool bonded, double nu, double chi) {
+  const double alpha = bonded ? -(1.2876 - 1.4678 * nu + 1.3442 * nu * nu) / (1 - nu) : -0.347 * (3 - 2 * nu) / (1 - nu);
+  const double beta = bonded ? (0.6387 - 1.0277 * nu + 1.5164 * nu * nu) / (1 - nu) : 0.056 * (5 - 2 * nu) / (1 - nu);
+  const double a = 2 * alpha / M_PI, a3 = alpha * alpha * alpha, pi2 = M_PI * M_PI;
+  return 1 + chi * (-a + chi * (a * a + chi * (-8 / (pi2 * M_PI) * (a3 + 4 * pi2 / 15 * beta) + chi * 16 * alpha / (pi2 * pi2) * (a3 + 3 * pi2 / 5 * beta))));
+}
+
 }  // namespace palpate::loop

@@ -59,7 +59,7 @@ class Forward {
   /// How often a run's force was computed.
   long evaluations() const { return evaluations_; }
   Site site(const Run& run) const;
-  /// From now on closed forms are those of small or of finite strains (finite without).
+  /// From now on closed forms are those of these strains (finite without).
   void use(Strains strains) { strains_ = strains; }
   /// Clamps have their curves from solves alone.
   void use(std::shared_ptr<const ClampCurves> curves) { clamp_ = std::move(curves); }

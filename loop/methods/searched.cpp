@@ -24,6 +24,13 @@ Session session_of(Strains strains, const Set& set, const std::function<void(For
   return session;
 }
 
+/// Of the two curves of small strain the one that is nearer before anything is added.
+std::pair<Strains, Session> nearer_small_strain(const Set& set, int threads) {
+  Session exact = session_of(Strains::small, set, {}, threads), series = session_of(Strains::series, set, {}, threads);
+  if (series.null.chi2 < exact.null.chi2) return {Strains::series, std::move(series)};
+  return {Strains::small, std::move(exact)};
+}
+
 /// What is unexplained counts as more effects than the search may take.
 int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained ? thresholds::most_effects + 1 : static_cast<int>(t.effects.size()); }
 
@@ -49,20 +56,21 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   if (!pressed || !set.specimen.case_file.empty() || set.specimen.shape == "tube" || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
   if (kind == VerdictKind::unexplained && misfit(finite) < thresholds::other_curve) return finite;
   remark("the same with closed forms of small strain");
-  Searched small{session_of(Strains::small, set, {}, threads), {}, {}};
+  auto [strains, session] = nearer_small_strain(set, threads);
+  Searched small{std::move(session), {}, {}};
   const int most = effects_of(finite.curves.front()) - 1;
   const double enough = kind == VerdictKind::unexplained ? 0.5 * finite.finding.final.chi2 : finite.finding.final.chi2 + margin(finite);
   if (most == 0 && small.session.null.chi2 > enough) {  // no effect is left out, and without one it explains less
-    finite.curves.push_back({Strains::small, {}, small.session.null.chi2, VerdictKind::unexplained});
+    finite.curves.push_back({strains, {}, small.session.null.chi2, VerdictKind::unexplained});
     return finite;
   }
   small.finding = search(small.session, null_sets, seed, remark, std::min(most, thresholds::most_effects));
-  small.curves.push_back(tried_of(small, Strains::small));
+  small.curves.push_back(tried_of(small, strains));
   const bool taken = effects_of(small.curves.front()) < effects_of(finite.curves.front()) && small.finding.final.chi2 <= enough;
   Searched& best = taken ? small : finite;
   best.curves.push_back((taken ? finite : small).curves.front());
   if (taken)
-    best.finding.remarks.push_back("the curves are those of small-strain closed forms, which need fewer effects here than a solid that is solved at finite strain; "
+    best.finding.remarks.push_back("the curves are those of small-strain closed forms" + std::string(strains == Strains::series ? " with Dimitriadis' series for the layer" : "") + ", which need fewer effects here than a solid that is solved at finite strain; "
                                    "a stiffening law that makes the one from the other cannot be seen");
   return std::move(best);
 }

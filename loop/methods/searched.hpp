@@ -20,7 +20,7 @@ struct Searched {
 };
 
 /// Searches with curves of finite strain, which `correct` may have taught what solves said. Closed forms of small strain are what many a published curve was made or fitted with; a
-/// set that asks for effects under finite strain is therefore searched with them too, and believed where they explain it as well with fewer effects (within
+/// set that asks for effects under finite strain is therefore searched with them too (with the layer's exact factor or Dimitriadis' series, whichever leaves less before anything is added), and believed where they explain it as well with fewer effects (within
 /// 2 Δℓ = 9.2 and what the shortcuts of those found may be off by), or where finite strain leaves
 /// something unexplained, at half its misfit; they are searched for no more effects than that. A change of law that turns the one curve into the other cannot be seen then; the finding's remarks say so. Not asked without replicates, nor of a case.
 Searched searched(const Set& set, const std::function<void(Forward&)>& correct, int threads, int null_sets, std::uint64_t seed,

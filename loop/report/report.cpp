@@ -263,7 +263,7 @@ Json solves_json(const std::vector<SiteCurve>& curves) {
 Json tried_json(const std::vector<CurveTried>& curves) {
   Json list = Json::array();
   for (const auto& t : curves)
-    list.push_back({{"strains", t.strains == Strains::finite ? "finite" : "small"}, {"effects", t.effects}, {"chi2", t.chi2}, {"verdict", kind_name(t.kind)}});
+    list.push_back({{"strains", name_of(t.strains)}, {"effects", t.effects}, {"chi2", t.chi2}, {"verdict", kind_name(t.kind)}});
   return list;
 }
 

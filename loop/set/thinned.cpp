@@ -40,12 +40,25 @@ void first_of(std::vector<T>& x, const std::vector<int>& begin) {
   x = std::move(kept);
 }
 
+/// Way that u goes, there and back: sum over stretches of what it spans.
+double way(const Run& run, const std::vector<int>& ends) {
+  double sum = 0;
+  for (std::size_t s = 0; s + 1 < ends.size(); ++s) {
+    const auto [low, high] = std::minmax_element(run.u.begin() + ends[s], run.u.begin() + ends[s + 1]);
+    sum += *high - *low;
+  }
+  return sum;
+}
+
+/// A group has its share of the samples at most, and ends where u has gone its share of the way: the mean of a curved force is not the force at the mean of u.
 std::vector<int> groups(const Run& run) {
   const int count = static_cast<int>(run.t.size()), size = (count + most_samples - 1) / most_samples;
   const auto ends = stretches(run);
+  const double share = way(run, ends) / most_samples;
   std::vector<int> begin;
   for (std::size_t s = 0; s + 1 < ends.size(); ++s)
-    for (int i = ends[s]; i < ends[s + 1]; i += size) begin.push_back(i);
+    for (int i = ends[s]; i < ends[s + 1]; ++i)
+      if (i == ends[s] || i - begin.back() >= size || std::abs(run.u[i] - run.u[begin.back()]) > share) begin.push_back(i);
   begin.push_back(count);
   return begin;
 }
