@@ -44,12 +44,14 @@ double skin_force(const Tissue& tissue, double R, double depth, double chi, doub
   return tension * tissue.tension_N_per_mm * depth + skin / std::sqrt(1 + 8.8 * skin / tissue_force);
 }
 
+/// Far from a small contact the load is a point force, whose stress falls with the square of distance whatever the contact: a compliance that does not depend on depth is lost in series, a
+/// share a/d of the contact's own 1/(2 E* a) (energy of an inclusion in that field, Eshelby 1957). Beyond s = a/d ≈ 1 the tool feels the inclusion itself: s/(1 + s).
 double inclusion_factor(const Site& site, const Tissue& tissue, double contact_mm) {
   double factor = 1;
   for (const Inclusion& inclusion : tissue.inclusions) {
     const Vec3 apart = site.point_mm - inclusion.point_mm;
-    const double s = contact_mm / (inclusion.depth_mm + norm(apart)), s3 = s * s * s;
-    factor += inclusion.excess * s3 / (1 + s3);
+    const double s = contact_mm / (inclusion.depth_mm + norm(apart));
+    factor += inclusion.excess * s / (1 + s);
   }
   return factor;
 }

@@ -75,7 +75,7 @@ double Row::carried(Memory& m, const double* maxwell) const {
   double e = instant_ * m.elongation;
   for (std::size_t k = 0; k < kept_.size(); ++k) e += tissue_.prony[k].g * maxwell[k];
   const double size = std::abs(m.elongation);
-  if (size > m.largest) {
+  if (size > m.largest && !(lets_go_ && m.elongation < 0)) {
     m.largest = size;
     m.set = tissue_.set_fraction * std::max(0.0, m.largest - tissue_.set_yield * scale_);
   }
@@ -83,7 +83,7 @@ double Row::carried(Memory& m, const double* maxwell) const {
     const double width = tissue_.mullins_scale * scale_;
     e *= 1 - tissue_.mullins * std::erf((m.largest * m.largest - size * size) / (2 * width * width));
   }
-  return e - (m.elongation < 0 ? -m.set : m.set);
+  return e - (m.elongation < 0 && !lets_go_ ? -m.set : m.set);  // a contact keeps what was pressed in, a test piece what was stretched or pressed
 }
 
 /// `maxwell` are the branches before, and become those after.

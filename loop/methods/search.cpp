@@ -9,6 +9,8 @@
 
 #include <palpate/errors.hpp>
 #include <palpate/nearest.hpp>
+#include <loop/methods/alternatives.hpp>
+#include <loop/methods/left_out.hpp>
 #include <loop/methods/parallel.hpp>
 #include <loop/methods/refit.hpp>
 #include <loop/methods/relevance.hpp>
@@ -50,6 +52,13 @@ std::vector<Tried> try_all(Session& s, Fit& current, const Linear& l, const std:
   return tried;
 }
 
+/// Whether any candidate brings the misfit down to `enough`.
+bool can_reach(Session& s, const Fit& current, const Linear& l, const std::vector<Candidate>& candidates, double enough) {
+  for (int c : worth_refitting(l, candidates, current.chi2 - enough))
+    if (candidates[c].pruned.empty() && !is_active(current.model, candidates[c].effect) && best_refit(s, current.model, candidates[c], l, l.scores.best[c], enough).chi2 <= enough) return true;
+  return false;
+}
+
 NullDistribution nulls(Session& s, const Linear& l, const std::vector<Candidate>& candidates, int count, std::uint64_t seed) {
   NullProblem null{&s.problem, &l.T, &l.S, &candidates, &l.columns, &s.shapes, &s.group, s.noise};
   return null_distribution(null, count, seed, s.threads);
@@ -57,9 +66,7 @@ NullDistribution nulls(Session& s, const Linear& l, const std::vector<Candidate>
 
 /// Share by which the leave-one-run-out excess falls. Where noise is so wide that there is hardly any excess, the gain on runs left out is
 /// held against the gain on the curves fitted, `lambda`.
-double fall_of(const Session& s, double before, const Model& after, double lambda) {
-  return (before - left_out_excess(s.problem, after, s.threads)) / std::max({before, lambda, 1e-300});
-}
+double fall_of(double before, double after, double lambda) { return (before - after) / std::max({before, lambda, 1e-300}); }
 
 /// Share of what speaks for a candidate's best column that lies outside the curves: in what is known beforehand, the block run, lateral forces.
 double share_of_rows(const Linear& l, int column, const std::vector<int>& lengths) {
@@ -93,12 +100,14 @@ std::string against(const Session& s, const Fit& current, const Tried& t, int ro
   return "";
 }
 
-/// The best candidate that passes threshold and relevance; −1: none. Writes the reasons. Of a first step that none passes, the best whose gain
+/// The best candidate that passes threshold and relevance; −1: none. Writes the reasons. A further effect may fail to predict runs left out where two runs alone determine it and each
+/// has its own gain; it is relevant too where its amplitude hardly depends on which run is left out. Of a first step that none passes, the best whose gain
 /// is found on runs left out but is no fifth of the excess: one of two effects that hide each other; the search must bear it out.
 int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
   double form = 0;  // what the effects taken so far may leave because their shortcuts are not exact
   for (const Active& a : current.model.active) form = std::max(form, std::pow(std::min(a.effect->accuracy, thresholds::further_matters), 2) * (s.null.chi2 - current.chi2));
-  const double least = current.model.active.empty() ? 0 : std::max(thresholds::relevance * excess(s, current.chi2), form);
+  const double missed = excess(s, current.chi2);  // a form's error is part of it, and an effect that explains most of it is no form's error
+  const double least = current.model.active.empty() ? 0 : std::max(thresholds::relevance * missed, std::min(form, thresholds::most_of_missed * missed));
   double before = std::numeric_limits<double>::quiet_NaN();
   int taken = -1, half = -1;
   for (int i = 0; i < static_cast<int>(tried.size()); ++i) {
@@ -123,8 +132,10 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
     } else if (share_of_one_run(l, l.scores.best[t.candidate], lengths_of(s)) > thresholds::one_run) {
       t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
     } else {
-      t.left_out_fall = fall_of(s, before, t.fit.model, t.lambda * (1 - share_of_rows(l, l.scores.best[t.candidate], lengths_of(s))));
-      if (!(t.left_out_fall >= thresholds::relevance)) {
+      const LeftOut after = left_out(s.problem, t.fit.model, s.threads);
+      t.left_out_fall = fall_of(before, after.excess, t.lambda * (1 - share_of_rows(l, l.scores.best[t.candidate], lengths_of(s))));
+      const bool carried = can_claim && !current.model.active.empty() && after.amplitude_over_sd >= thresholds::carried;
+      if (!(t.left_out_fall >= thresholds::relevance) && !carried) {
         t.reason = "runs left out are not predicted better";
         if (half < 0 && can_claim && current.model.active.empty() && t.left_out_fall * before > 0.5 * t.lambda) half = i;
         continue;
@@ -135,23 +146,6 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
   }
   if (taken < 0 && half >= 0) tried[half].reason = "taken, if a further effect bears it out";
   return taken >= 0 ? taken : half;
-}
-
-/// Each name once.
-std::vector<std::string> names_of(const Model& model) {
-  std::vector<std::string> names;
-  for (const Active& a : model.active)
-    if (std::find(names.begin(), names.end(), a.effect->entry.name) == names.end()) names.push_back(a.effect->entry.name);
-  return names;
-}
-
-/// One effect that explains as well as several is the better explanation.
-void simplify(Finding& f) {
-  if (f.final.model.active.size() < 2) return;
-  const Tried* best = nullptr;
-  for (const Tried& t : f.steps.front())
-    if (t.refitted && !(t.p > f.threshold_p) && !at_the_edge(t.fit) && t.fit.chi2 < f.final.chi2 + 2 * thresholds::alternative && (!best || t.fit.chi2 < best->fit.chi2)) best = &t;
-  if (best) f.final = best->fit;
 }
 
 /// What was taken for now goes again unless runs left out are predicted better by a fifth in the end.
@@ -180,46 +174,6 @@ void delete_needless(Session& s, Fit& current, const std::vector<Candidate>& can
       i = 0;
     }
   }
-}
-
-/// Every active effect is exchanged for every other; a better exchange becomes the model, near ones become alternatives.
-void exchange(Session& s, Finding& f) {
-  std::vector<std::pair<double, std::vector<std::string>>> sets = {{0, names_of(f.final.model)}};
-  for (std::size_t i = 0; i < f.final.model.active.size(); ++i) {
-    Model without = f.final.model;
-    const Active own = without.active[i];
-    without.active.erase(without.active.begin() + i);
-    Fit base = fitted(s.problem, without);
-    const Linear l = linear(s, base.model, f.candidates);
-    const auto worth = worth_refitting(l, f.candidates, base.chi2 - f.final.chi2);
-    std::vector<Fit> fits(worth.size());
-    const double now = f.final.chi2;
-    for_each_index(static_cast<int>(worth.size()), s.threads, [&](int k) {
-      const Candidate& other = f.candidates[worth[k]];
-      const double form = std::pow(other.effect->accuracy, 2) * (base.chi2 - now);
-      if (other.effect != own.effect) fits[k] = best_refit(s, base.model, other, l, l.scores.best[worth[k]], now + 2 * thresholds::alternative + form);
-    });
-    for (std::size_t k = 0; k < worth.size(); ++k) {
-      if (f.candidates[worth[k]].effect == own.effect) continue;
-      Fit& fit = fits[k];
-      const double form = 0.5 * std::pow(f.candidates[worth[k]].effect->accuracy, 2) * std::max(base.chi2 - fit.chi2, 0.0);
-      const double behind = std::max(0.5 * (fit.chi2 - f.final.chi2) - form, std::min(0.5 * (fit.chi2 - f.final.chi2), 0.0));
-      if (behind > thresholds::alternative || at_the_edge(fit) || made_up(s, base.model, fit.model) || !matters(s, fit.model)) continue;
-      auto names = names_of(fit.model);
-      if (std::none_of(sets.begin(), sets.end(), [&](const auto& set) { return set.second == names; })) sets.push_back({behind, std::move(names)});
-      if (behind < -0.05) {
-        const double shift = behind;
-        f.final = std::move(fit);
-        for (auto& set : sets) set.first -= shift;
-      }
-    }
-  }
-  std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [behind, names] : sets)
-    if (behind <= thresholds::alternative) {
-      f.alternatives.push_back(names);
-      f.alternative_distance.push_back(behind);
-    }
 }
 
 VerdictKind judged(const Finding& f, bool can_claim) {
@@ -270,7 +224,7 @@ Fit fit_with(Session& s, const std::string& effect) {
   throw Failure(ExitCode::misuse, "unknown effect: " + effect, "", "did you mean " + nearest_name(effect, names) + "?");
 }
 
-Finding search(Session& s, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark, int most_effects) {
+Finding search(Session& s, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark, int most_effects, double enough) {
   Finding f;
   f.candidates = candidates_of(*s.set);
   f.blind_spots = blind_spots(s, f.candidates);
@@ -280,6 +234,10 @@ Finding search(Session& s, int null_sets, std::uint64_t seed, const std::functio
   for (int step = 0;; ++step) {
     remark("step " + std::to_string(step + 1) + ": scores" + (can_claim ? " and nulls" : ""));
     const Linear l = linear(s, f.final.model, f.candidates);
+    if (step + 1 == most_effects && std::isfinite(enough) && !can_reach(s, f.final, l, f.candidates, enough)) {
+      f.kind = VerdictKind::unexplained;
+      return f;
+    }
     if (can_claim) null = nulls(s, l, f.candidates, null_sets, seed + step);
     (step == 0 ? f.structure_before : f.structure_after) = l.scores.structure;
     f.structure_after = l.scores.structure;

@@ -1,6 +1,8 @@
 // The search for the missing effect: score, refit, threshold, relevance, alternatives; forward with deletion.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <limits>
+
 #include <loop/methods/oddities.hpp>
 #include <loop/methods/score.hpp>
 #include <loop/methods/session.hpp>
@@ -45,9 +47,9 @@ struct Finding {
   std::vector<std::string> remarks;       ///< what a person should know of the choice
 };
 
-/// `remark` is told what is going on.
+/// `remark` is told what is going on. Where the last effect allowed cannot bring the misfit down to `enough`, it is not asked whether it is a finding: the verdict is unexplained.
 Finding search(Session& session, int null_sets, std::uint64_t seed, const std::function<void(const std::string&)>& remark,
-               int most_effects = thresholds::most_effects);
+               int most_effects = thresholds::most_effects, double enough = std::numeric_limits<double>::infinity());
 
 /// The null with one effect of the catalogue fitted to it, at its best grid point. Throws Failure(misuse) for a name the catalogue does not have,
 /// Failure(refused) for an effect this set leaves out, with the reason.

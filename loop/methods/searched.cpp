@@ -64,7 +64,7 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
     finite.curves.push_back({strains, {}, small.session.null.chi2, VerdictKind::unexplained});
     return finite;
   }
-  small.finding = search(small.session, null_sets, seed, remark, std::min(most, thresholds::most_effects));
+  small.finding = search(small.session, null_sets, seed, remark, std::min(most, thresholds::most_effects), enough);
   small.curves.push_back(tried_of(small, strains));
   const bool taken = effects_of(small.curves.front()) < effects_of(finite.curves.front()) && small.finding.final.chi2 <= enough;
   Searched& best = taken ? small : finite;

@@ -9,6 +9,7 @@
 
 #include <palpate/errors.hpp>
 #include <loop/forward/register.hpp>
+#include <loop/methods/left_out.hpp>
 #include <loop/methods/parallel.hpp>
 #include <loop/methods/thresholds.hpp>
 
@@ -264,35 +265,6 @@ Model with_equal_weights(const Session& s, const Model& model) {
   equal.scatter = 0.02;
   for (const NoiseShape& shape : s.shapes) p.whiteners.emplace_back(shape, equal);
   return fitted(p, model).model;
-}
-
-double chi2_of_run(const Problem& p, std::size_t index, const Model& model) {
-  Eigen::MatrixXd r = p.forward->measured(p.runs[index]) - p.forward->predicted(p.runs[index], model);
-  p.whiteners[index].whiten(r);
-  return r.squaredNorm();
-}
-
-double left_out_excess(const Problem& p, const Model& model, int threads) {
-  const Set& set = p.forward->set();
-  std::vector<int> fitted_runs;
-  for (std::size_t i = 0; i < p.runs.size(); ++i)
-    if (set.runs[p.runs[i]].role == Role::fit) fitted_runs.push_back(static_cast<int>(i));
-  if (fitted_runs.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> excess(fitted_runs.size());
-  Model at_all = model;
-  const Eigen::MatrixXd T = whitened(p, p.whiteners, tangents(p, at_all));  // of the fit to all runs, where each fold begins
-  std::vector<int> begin = {0};
-  for (std::size_t run : p.runs) begin.push_back(begin.back() + p.forward->blocks(run));
-  for_each_index(static_cast<int>(fitted_runs.size()), threads, [&](int k) {
-    const int i = fitted_runs[k];
-    Problem without = p;
-    without.runs.erase(without.runs.begin() + i);
-    without.whiteners.erase(without.whiteners.begin() + i);
-    Eigen::MatrixXd its_T(T.rows() - (begin[i + 1] - begin[i]), T.cols());
-    its_T << T.topRows(begin[i]), T.bottomRows(T.rows() - begin[i + 1]);
-    excess[k] = chi2_of_run(p, i, fitted(without, model, {&its_T}).model) - p.forward->blocks(p.runs[i]);
-  });
-  return std::accumulate(excess.begin(), excess.end(), 0.0);
 }
 
 }  // namespace palpate::loop

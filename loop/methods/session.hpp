@@ -38,10 +38,4 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct = 
 /// The model fitted once more with every block of a run weighing the same: what it can do for the error in N.
 Model with_equal_weights(const Session& session, const Model& model);
 
-/// Sum over the runs left out in turn of (whitened squares − blocks), every model fitted anew without the run. NaN for one run.
-double left_out_excess(const Problem& problem, const Model& model, int threads);
-
-/// Whitened squares of one run that was not fitted.
-double chi2_of_run(const Problem& problem, std::size_t index, const Model& model);
-
 }  // namespace palpate::loop

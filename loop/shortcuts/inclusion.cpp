@@ -1,4 +1,4 @@
-// Inclusion: one site is stiffer by e s³/(1 + s³), s = contact radius over distance.
+// Inclusion: one site is stiffer by e s/(1 + s), s = contact radius over distance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/register.hpp>
 #include <algorithm>
@@ -7,7 +7,7 @@ namespace palpate::shortcuts {
 
 Effect inclusion() {
   Effect effect;
-  effect.entry = {"start", "inclusion", "something stiffer or softer lies under one site", "Eshelby 1957 (far field falls with the cube of distance)",
+  effect.entry = {"start", "inclusion", "something stiffer or softer lies under one site", "Eshelby 1957 (energy of an inclusion in the field of a point force)",
                   {{"excess", "1", {-0.95, 50}, 0.3, "stiffness at full influence, minus one"},
                      {"x", "mm", {-1e4, 1e4}, 0, "site above it"},
                      {"y", "mm", {-1e4, 1e4}, 0, "site above it"},
@@ -24,7 +24,7 @@ Effect inclusion() {
     std::vector<std::vector<double>> grid;
     if (sites.size() > 1)  // with one site only, a part of it that differs is the tissue
       for (const Vec3& s : sites)
-        for (double depth : {4.0, 12.0}) grid.push_back({s[0], s[1], s[2], depth});
+        for (double depth : {1.5, 5.0, 15.0}) grid.push_back({s[0], s[1], s[2], depth});
     return grid;
   };
   effect.tissue = [](double e, std::span<const double> shape, Tissue& tissue) {

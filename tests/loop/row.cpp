@@ -110,6 +110,19 @@ TEST(Row, MullinsSoftensReloadingButNotBeyondTheOldMaximum) {
   EXPECT_NEAR(row.advance(1.2, 1), 1.2, 1e-12);
 }
 
+/// A contact that keeps part of its deformation is left where it was pressed to, and touches nothing above.
+TEST(Row, PermanentSetLeavesTheToolFreeAboveIt) {
+  Tissue tissue;
+  tissue.set_fraction = 0.1;
+  Row row = hertz_row(tissue, 2);
+  for (double d = 0; d < 2; d += 0.01) row.advance(d, 0.01);
+  const double pressed = row.advance(2, 0.01);
+  EXPECT_TRUE(std::abs(pressed / hertz(2) - 0.9) <= 0.01) << pressed;  // every spring carries e − 0.1 e
+  for (double d = 2; d > 0; d -= 0.01) row.advance(d, 0.01);
+  for (double d : {0.19, 0.1, 0.0, -0.1, 0.0, 0.19}) EXPECT_EQ(row.advance(d, 0.01), 0) << d;
+  EXPECT_TRUE(std::abs(row.advance(2, 0.01) / pressed - 1) <= 1e-12);
+}
+
 TEST(Row, TrialLeavesNothingBehind) {
   Tissue tissue;
   tissue.prony = {{0.4, 1}};
