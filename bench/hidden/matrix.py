@@ -14,7 +14,7 @@ ASKED = {"false alarms on nulls": "≤ 2 % of 400", "detected": "≥ 90 %", "fir
 def wilson(k, n):
     z, p = 1.96, k / n
     middle, half = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
-    return f"{100 * max(middle - half, 0) / (1 + z * z / n):.0f}–{100 * min(middle + half, 1 + z * z / n) / (1 + z * z / n):.0f} %"
+    return f"{100 * max(middle - half, 0) / (1 + z * z / n):.1f}–{100 * min(middle + half, 1 + z * z / n) / (1 + z * z / n):.1f} %"
 
 
 def added(files):
@@ -49,7 +49,7 @@ def main():
             table[hidden][named(verdict)] = table[hidden].get(named(verdict), 0) + times
     single = {h: row for h, row in table.items() if " + " not in h}
     columns = sorted({c for row in single.values() for c in row})
-    print("\nHidden (rows) against named first (columns); * in a set of several.\n\n| | " + " | ".join(columns) + " |\n|---" * 1 + "|---" * len(columns) + "|")
+    print("\nHidden (rows) against named first (columns); * in a set of several.\n\n| | " + " | ".join(columns) + " |\n|---" + "|---" * len(columns) + "|")
     for hidden, row in single.items():
         print(f"| {hidden} | " + " | ".join(str(row.get(c, "·")) for c in columns) + " |")
     print("\n| pair hidden | named |\n|---|---|")
