@@ -73,10 +73,6 @@ bool slides_elsewhere(const implicit::ContactSums& a, const implicit::ContactSum
   return false;
 }
 
-bool slides_on_a_bed(const implicit::Model& model) {
-  return std::any_of(model.region_forces.begin(), model.region_forces.end(), [](const implicit::RegionForce& bed) { return bed.memory() > 0; });
-}
-
 }  // namespace
 
 Shadow::Shadow(std::string number, double by, Case moved, int threads)
@@ -149,7 +145,7 @@ void Sensitivities::keep(Archive& archive) {
   };
   keep_one(*still_);
   for (auto& shadow : shadows_) keep_one(*shadow);
-  archive(table_);
+  archive(table_, weak_steps_);
   if (implicit::remembers(still_->the_case.model)) archive(known_);
 }
 
@@ -171,25 +167,30 @@ void Sensitivities::approach(Shadow& shadow, const implicit::State& found) {
 
 /// By the number at fixed displacements, and by the displacements along the tangent: to first order in exact arithmetic the forces of the
 /// shadow where it stands aside, but its contact would round them.
-std::vector<Vector3d> Sensitivities::force_rates(const Shadow& shadow, const implicit::Increment& step) const {
-  const VectorXd& change = step.nodal;
-  const auto& tools = shadow.equations.contact.tools;
+void Sensitivities::find_force_rates(const std::vector<implicit::Increment>& steps) {
+  const auto& tools = still_->the_case.model.tools;
   const auto& still = still_->equations;
-  std::vector<Vector3d> rates;
-  if (shadow.own) {
-    for (std::size_t i = 0; i < tools.size(); ++i) rates.push_back((tools[i].force - still.contact.tools[i].force) / shadow.change);
-    return rates;
-  }
+  for (auto& shadow : shadows_) shadow->force_rates.assign(tools.size(), Vector3d::Zero());
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    VectorXd against_tool = change;  // only the place of organ and tool against each other counts
-    for (int at = 0; at < against_tool.size(); at += 4) against_tool.segment<3>(at) -= step.travels[i] * still_->the_case.model.tools[i].axis;
-    rates.push_back((tools[i].force - still.contact.tools[i].force + still_->assembly.tool_force_change(static_cast<int>(i), still_->state, against_tool)) / shadow.change);
+    MatrixXd against_tool(still.residual.size(), steps.size());  // only the place of organ and tool against each other counts
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      against_tool.col(k) = steps[k].nodal;
+      for (int at = 0; at < against_tool.rows(); at += 4) against_tool.col(k).segment<3>(at) -= steps[k].travels[i] * tools[i].axis;
+    }
+    const Eigen::Matrix3Xd by_place = still_->assembly.tool_force_changes(static_cast<int>(i), still_->state, against_tool);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      Vector3d change = shadows_[k]->equations.contact.tools[i].force - still.contact.tools[i].force;
+      if (!shadows_[k]->own) change += by_place.col(k);
+      shadows_[k]->force_rates[i] = change / shadows_[k]->change;
+    }
   }
-  if (!tools.empty() || still_->the_case.moved.empty()) return rates;
-  const VectorXd residual = shadow.equations.residual - still.residual + equilibrium_->tangent().multiply(change);
-  rates.push_back(Vector3d::Zero());
-  for (int node : still_->the_case.moved.front().nodes) rates.front() += residual.segment<3>(4 * node) / shadow.change;
-  return rates;
+  if (!tools.empty() || still_->the_case.moved.empty()) return;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    Shadow& shadow = *shadows_[k];
+    const VectorXd residual = shadow.equations.residual - still.residual + equilibrium_->tangent().multiply(steps[k].nodal);
+    shadow.force_rates.assign(1, Vector3d::Zero());
+    for (int node : still_->the_case.moved.front().nodes) shadow.force_rates.front() += residual.segment<3>(4 * node) / shadow.change;
+  }
 }
 
 /// The same step of a run of its own.
@@ -206,8 +207,6 @@ std::vector<std::string> Sensitivities::remarks() const {
   std::vector<std::string> list;
   for (const auto& shadow : shadows_)
     if (shadow->own) list.push_back("d/d(" + shadow->path + ") is the secant to " + std::to_string(shadow->change) + ", by a run of its own: friction that is off has no derivative");
-  if (slides_on_a_bed(still_->the_case.model))
-    list.push_back("a support on which the organ slides: in holds of more than one step derivatives may be off by some per cent (decision 033)");
   return list;
 }
 
@@ -216,6 +215,8 @@ std::vector<std::string> Sensitivities::one_sided() const {
   for (const auto& shadow : shadows_)
     if (shadow->one_sided > 0)
       list.push_back("d/d(" + shadow->path + ") is of one side in " + std::to_string(shadow->one_sided) + " step(s): points of contact are about to slide or to stick");
+  if (weak_steps_ > 0)
+    list.push_back("all derivatives are of one side in " + std::to_string(weak_steps_) + " step(s): points touch a tool without pressing");
   return list;
 }
 
@@ -233,7 +234,7 @@ void Sensitivities::step_aside(Shadow& shadow, const implicit::Increment& step) 
   shadow.state.contact_pressures = std::move(pressures);
   shadow.state.pair_pressures = std::move(pair_pressures);
   shadow.assembly.let_bubbles_follow(shadow.state, known_, step.nodal);
-  if (implicit::has_friction(model)) implicit::remember_slips(model, shadow.assembly.without_tissue(shadow.state, scratch_).contact.points, shadow.state);
+  if (implicit::has_friction(model)) implicit::remember_slips(model, shadow.assembly.without_tissue(shadow.state, known_, scratch_).contact.points, shadow.state);
 }
 
 void Sensitivities::follow(const implicit::State& found) {
@@ -244,6 +245,7 @@ void Sensitivities::follow(const implicit::State& found) {
   remember(*still_);  // all of them before it is known where the run has come to
   for (auto& shadow : shadows_) remember(*shadow);
   approach(*still_, found);
+  weak_steps_ += still_->equations.contact.weakly_active > 0;
   const VectorXd still_prescribed = prescribed(still_->the_case.model, found.time);
   MatrixXd residual_changes(found.nodal.size(), count), prescribed_changes(found.nodal.size(), count);
   for (int k = 0; k < count; ++k) {
@@ -260,8 +262,8 @@ void Sensitivities::follow(const implicit::State& found) {
     prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
   }
   const auto steps = responses(residual_changes, prescribed_changes);
+  find_force_rates(steps);
   for (int k = 0; k < count; ++k) {
-    shadows_[k]->force_rates = force_rates(*shadows_[k], steps[k]);
     if (steps[k].travels.empty()) continue;
     const double travel = shadows_[k]->own ? shadows_[k]->state.travels.front() - found.travels.front() : steps[k].travels.front();
     shadows_[k]->depth_rate = travel / shadows_[k]->change;

@@ -50,7 +50,7 @@ class Sensitivities {
   void add(const implicit::Step& step);
   /// What people should know of numbers without a derivative: friction where there is none. A secant stands in.
   std::vector<std::string> remarks() const;
-  /// Of the numbers whose derivatives were of one side in some step; at the end of a run.
+  /// Of the numbers whose derivatives were of one side in some step, and of steps in which all were; at the end of a run.
   std::vector<std::string> one_sided() const;
   /// What the shadows remember between two steps, and the table.
   void keep(Archive& archive);
@@ -60,7 +60,7 @@ class Sensitivities {
  private:
   void approach(Shadow& shadow, const implicit::State& found);
   std::vector<implicit::Increment> responses(const Eigen::MatrixXd& residual_changes, const Eigen::MatrixXd& prescribed_changes);
-  std::vector<Eigen::Vector3d> force_rates(const Shadow& shadow, const implicit::Increment& step) const;
+  void find_force_rates(const std::vector<implicit::Increment>& steps);
   void step_aside(Shadow& shadow, const implicit::Increment& step);
   void run_on(Shadow& shadow, const implicit::State& found);
 
@@ -72,6 +72,7 @@ class Sensitivities {
   implicit::BlockMatrix scratch_;
   std::vector<std::unique_ptr<Shadow>> shadows_;
   std::string table_;
+  int weak_steps_ = 0;  ///< in which points were about to touch or to be let go
 };
 
 /// "a, b, c" as paths.

@@ -21,6 +21,9 @@ Slip seen_now(const Tool& tool, const Pose& pose, const Slip& slip) {
   return {Q * (slip.place - centre) + centre, Q * slip.shear};
 }
 
+/// A pressure below this part of the softness, or a gap that would ask for as much tension, tells neither contact from a gap.
+constexpr double weak_pressure = 1e-5;
+
 /// A face farther away than its own reach cannot touch: the distance changes by at most 1 mm per mm.
 bool out_of_reach(const Tool& tool, const Pose& pose, const Face& face) {
   const Vector3d centre = (face.now[0] + face.now[1] + face.now[2]) / 3;
@@ -85,6 +88,7 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
     const double t = law.pressure(carried, d.g);
     result.penetration = std::max(result.penetration, -d.g / size);
     const bool presses = t > 0;
+    result.weakly_active += std::abs(t) <= weak_pressure * softness;
     if (!presses) result.mismatch = std::max(result.mismatch, carried / softness);
     if (!presses && !(d.g < tool.reach())) continue;
     result.touched = true;

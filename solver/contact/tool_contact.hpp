@@ -85,6 +85,7 @@ struct FaceContact {
   std::array<Point, points_per_face> points;
   double penetration = 0;  ///< deepest point, of the face's size
   double mismatch = 0;     ///< largest |g − g(t)|/w of a point: 0 at a solution
+  int weakly_active = 0;   ///< points that touch without pressing: what comes next, contact or a gap, is of one side
 };
 
 /// `softness` (MPa): A, the pressure at which a point is half way to the deepest gap.

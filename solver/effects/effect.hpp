@@ -24,8 +24,11 @@ struct Point {
   double dt = 0;    ///< s since the memory was written; 0: at that very moment
   materials::Kinematics kinematics = materials::Kinematics::finite;
   double modulus = 1;  ///< factor on the law, see Start
-  const materials::KnownLaw* known = nullptr;  ///< asked instead of the law; then the stress alone is wanted, no tangent
+  const materials::KnownLaw* known = nullptr;  ///< asked instead of the law; it knows the stress alone
   materials::KnownLaw* learns = nullptr;       ///< is told what the law said
+  materials::Asked asked = materials::Asked::all;
+
+  bool wants_tangent() const { return asked == materials::Asked::all; }
 };
 
 /// The response of the law with the effects inside this one, as a function of F.
@@ -90,16 +93,21 @@ struct TractionSocket {
   bool holds_on = false;  ///< it needs Touch::before, and its value is what is remembered as the shear there; not symmetric
 };
 
+/// Whether a point slides: its bound says so, or, in a run close beside another, what it does there.
+enum class Branch { by_bound, sticks, slides };
+
 /// A point of a region of the surface, as effects on the forces see it.
 struct Held {
   Eigen::Vector3d displacement;  ///< mm
   Eigen::Vector3d normal;        ///< unit, outward, of the rest shape
+  Branch branch = Branch::by_bound;
 };
 
 /// Traction on the organ per area at rest, MPa, and its derivative by the displacement, MPa/mm.
 struct Push {
   Eigen::Vector3d traction = Eigen::Vector3d::Zero();
   Eigen::Matrix3d by_displacement = Eigen::Matrix3d::Zero();
+  bool slides = false;
 };
 
 /// Socket `force`, on a region of the surface.

@@ -14,7 +14,7 @@ Response respond(const Inner& inner, const Point& point, std::span<const double>
   const double below = (memory[0] - r.W) / p[1];
   if (!(below > 0)) return r;
   const double eta = 1 - p[0] * std::erf(below);
-  if (!point.known) {
+  if (point.wants_tangent()) {
     const double slope = p[0] * 2 * std::numbers::inv_sqrtpi * std::exp(-below * below) / p[1];  // ∂η/∂W
     const Vec9 P = Eigen::Map<const Vec9>(r.P.data());
     r.A = eta * r.A + slope * P * P.transpose();

@@ -21,7 +21,7 @@ Response respond(const Inner& inner, const Point& point, std::span<const double>
   const Mat3 inverse = permanent(memory).inverse();
   const Response e = inner(point.F * inverse);
   Response r{e.W, e.P * inverse, Mat9::Zero()};
-  if (point.known) return r;
+  if (!point.wants_tangent()) return r;
   Mat9 T;  // ∂F_e/∂F: (i + 3 m, k + 3 l) = δ_ik U⁻¹_lm
   T.setZero();
   for (int m = 0; m < 3; ++m)

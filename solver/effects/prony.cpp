@@ -30,7 +30,7 @@ Response respond(const Inner& inner, const Point& point, std::span<const double>
   }
   r.W *= elastic;
   r.P *= elastic;
-  if (!point.known) r.A *= elastic;
+  if (point.wants_tangent()) r.A *= elastic;
   add_second_stress(r, point, tensor(history.data()));
   return r;
 }

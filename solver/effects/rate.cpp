@@ -38,7 +38,7 @@ Response respond(const Inner& inner, const Point& point, std::span<const double>
   const double over_rate = x == 0 ? 1 / p[1] : std::log1p(x) / rate;  // ln(1 + x)/ε̇
   const Mat3 S = s * over_rate * raised;
   add_second_stress(r, point, S);
-  if (point.known) return r;  // no tangent is asked for
+  if (!point.wants_tangent()) return r;  // no tangent is asked for
   // ∂S/∂Ė = s [ln(1 + x)/ε̇ (⅔ C⁻¹⊙C⁻¹ − N⊗N) + N⊗N/(ε̇0 + ε̇)], N = ∂ε̇/∂Ė
   const Mat3 F = small ? Mat3(Mat3::Identity()) : point.F;
   const Mat3 FM = F * metric, FMF = FM * F.transpose();

@@ -28,7 +28,7 @@ inline void add_second_stress(Response& r, const Point& point, const Mat3& S) {
     return;
   }
   r.P += point.F * S;
-  if (point.known) return;  // no tangent is asked for
+  if (!point.wants_tangent()) return;  // no tangent is asked for
   for (int j = 0; j < 3; ++j)
     for (int l = 0; l < 3; ++l)
       for (int i = 0; i < 3; ++i) r.A(i + 3 * j, i + 3 * l) += S(l, j);

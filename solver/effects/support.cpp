@@ -22,7 +22,8 @@ Push respond(const Held& at, std::span<const double> memory, std::span<const dou
   const Vector3d shear = -tangential * across * (at.displacement - slip);
   const double pressure = std::max(0.0, k * at.displacement.dot(at.normal)), size = shear.norm();
   Push push{-k * along * at.displacement + shear, -k * along - tangential * across};
-  if (bonded(p) || size <= p[2] * pressure) return push;
+  push.slides = !bonded(p) && (at.branch == Branch::by_bound ? size > p[2] * pressure : at.branch == Branch::slides);
+  if (!push.slides || size == 0) return push;
   const Vector3d m = shear / size;
   push.traction += (p[2] * pressure / size - 1) * shear;
   push.by_displacement = -k * along - p[2] * pressure / size * tangential * (across - m * m.transpose());

@@ -29,10 +29,10 @@ struct Material {
   int memory() const { return effects.empty() ? 0 : effects.back().memory_at + effects.back().memory; }
 
   /// The law alone, times a factor.
-  materials::Response respond(const materials::Mat3& F, double modulus = 1, const materials::KnownLaw* known = nullptr, materials::KnownLaw* learns = nullptr) const;
+  materials::Response respond(const materials::Mat3& F, double modulus = 1, const materials::KnownLaw* known = nullptr, materials::KnownLaw* learns = nullptr, materials::Asked asked = materials::Asked::all) const;
   /// With its effects. `memory`: this->memory() numbers; point.kinematics is the law's.
   materials::Response respond(const effects::Point& point, const double* memory) const;
-  /// The memory that an accepted step leaves, in place.
+  /// The memory that an accepted step leaves, in place; the point asks for the stress alone.
   void remember(const effects::Point& point, double* memory) const;
 
   double shear_modulus() const { return law.shear_modulus(parameters); }

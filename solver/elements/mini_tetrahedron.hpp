@@ -38,6 +38,7 @@ struct ElementState {
   const effects::Start* starts = nullptr;  ///< of the four sub-tetrahedra; none: as the material says
   const materials::KnownLaw* known = nullptr;  ///< of the four sub-tetrahedra: asked instead of the law
   materials::KnownLaw* learns = nullptr;       ///< of the four sub-tetrahedra: told what the law said
+  materials::Asked asked = materials::Asked::all;
 };
 
 enum class ElementFault { none, inverted, bubble_not_positive, bubble_not_converged };

@@ -28,7 +28,8 @@ ElementResult mini_element_result(const Tetrahedron& rest, const Material& mater
 void remember(const Tetrahedron& rest, const Material& material, const ElementState& state, double* memory) {
   const SubTetrahedra subs = sub_tetrahedra(rest, state);
   for (int s = 0; s < 4; ++s)
-    material.remember({subs[s].F, state.history.time, state.history.dt, material.law.kinematics, start_of(state, s).modulus, state.known ? state.known + s : nullptr}, memory + s * material.memory());
+    material.remember({subs[s].F, state.history.time, state.history.dt, material.law.kinematics, start_of(state, s).modulus, state.known ? state.known + s : nullptr,
+                       nullptr, materials::Asked::stress}, memory + s * material.memory());
 }
 
 }  // namespace palpate::elements

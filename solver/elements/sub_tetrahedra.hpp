@@ -24,9 +24,9 @@ inline materials::Response respond(const Material& material, const materials::Ma
   const materials::KnownLaw* known = state.known ? state.known + sub : nullptr;
   materials::KnownLaw* learns = state.learns ? state.learns + sub : nullptr;
   materials::Response r = material.effects.empty()
-                   ? material.respond(F, modulus, known, learns)
-                   : material.respond({F, history.time, history.dt, material.law.kinematics, modulus, known, learns}, history.memory + sub * material.memory());
-  if (turgor != 0) add_turgor(r, F, turgor, material.law.kinematics);
+                   ? material.respond(F, modulus, known, learns, state.asked)
+                   : material.respond({F, history.time, history.dt, material.law.kinematics, modulus, known, learns, state.asked}, history.memory + sub * material.memory());
+  if (turgor != 0) add_turgor(r, F, turgor, material.law.kinematics, state.asked);
   return r;
 }
 

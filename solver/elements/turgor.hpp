@@ -8,12 +8,14 @@
 namespace palpate::elements {
 
 /// `turgor`: p in MPa. With the geometry not updated, to first order: P = p (H + Hᵀ − I tr H), H = F − I.
-inline void add_turgor(materials::Response& r, const materials::Mat3& F, double turgor, materials::Kinematics kinematics) {
+inline void add_turgor(materials::Response& r, const materials::Mat3& F, double turgor, materials::Kinematics kinematics, materials::Asked asked) {
   using materials::Mat3;
   const bool small = kinematics == materials::Kinematics::small;
   const Mat3 at = small ? Mat3(Mat3::Identity()) : F, H = F - Mat3::Identity();
-  r.A.diagonal().array() += turgor;
-  add_cofactor_derivative(r.A, -turgor * at);
+  if (asked == materials::Asked::all) {
+    r.A.diagonal().array() += turgor;
+    add_cofactor_derivative(r.A, -turgor * at);
+  }
   const Mat3 P = small ? Mat3(H + H.transpose() - H.trace() * Mat3::Identity()) : Mat3(F - cofactor(F));
   r.P += turgor * P;
   r.W += turgor * (small ? 0.5 * P.cwiseProduct(H).sum() : 0.5 * (F.squaredNorm() - 3) - (F.determinant() - 1));

@@ -105,7 +105,7 @@ InPlane<double> TissueForces::changed(int t, const InPlane<double>& C, double* m
   const effects::Point point{upper_root(C), time, dt, material.law.kinematics, start.modulus};
   const Chain chain{wall_.law, material, point, memory, static_cast<int>(material.effects.size())};
   materials::Response with = chain(point.F);
-  if (start.turgor != 0) elements::add_turgor(with, point.F, start.turgor, material.law.kinematics);
+  if (start.turgor != 0) elements::add_turgor(with, point.F, start.turgor, material.law.kinematics, point.asked);
   if (remember) chain.remember();
   return plane_stress(point.F, with.P - lifted(wall_.law, point.F, 1).P);
 }

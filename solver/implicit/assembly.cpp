@@ -99,15 +99,18 @@ contact::Face Assembly::face_at(int index, int f, const State& state) const {
   return face;
 }
 
-Eigen::Vector3d Assembly::tool_force_change(int index, const State& state, const Eigen::VectorXd& step) const {
-  Eigen::Vector3d change = Eigen::Vector3d::Zero();
+Eigen::Matrix3Xd Assembly::tool_force_changes(int index, const State& state, const Eigen::MatrixXd& steps) const {
+  Eigen::Matrix3Xd changes = Eigen::Matrix3Xd::Zero(3, steps.cols());
   for (int f = 0; f < static_cast<int>(model_.faces.size()); ++f) {
     const auto contact = contact::face_contact(model_.tools[index], pose(model_, state, index), face_at(index, f, state), softness_[f]);
     if (!contact.touched) continue;
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) change -= contact.tangent.block<3, 3>(3 * a, 3 * b) * step.segment<3>(4 * model_.faces[f][b]);
+    for (int b = 0; b < 3; ++b) {
+      Eigen::Matrix3d of_face = Eigen::Matrix3d::Zero();
+      for (int a = 0; a < 3; ++a) of_face += contact.tangent.block<3, 3>(3 * a, 3 * b);
+      changes -= of_face * steps.middleRows<3>(4 * model_.faces[f][b]);
+    }
   }
-  return change;
+  return changes;
 }
 
 /// A face's part in what the tool feels, and in how it changes with the tool's place. Only the place of face and tool against each other
@@ -145,6 +148,7 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
     const auto contact = contact::face_contact(tool, now, face, softness_[f]);
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
+    sums.weakly_active += contact.weakly_active;
     if (!contact.touched) continue;
     equations.stored.contact += contact.energy;
     sum_up(index, contact, nodes, face, now, own);
@@ -182,6 +186,7 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent, Neighbourhood
     for (const auto& material : model_.materials) known->parameters.push_back(material.parameters);
     known->laws.resize(4 * model_.tets.size());
     known->condensations.resize(model_.tets.size());
+    learn_region_forces(state, *known);
   }
   add_elements(state, equations, tangent, known);
   if (equations.fault == elements::ElementFault::none) add_rest(meetings, state, equations, tangent);
@@ -189,11 +194,11 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent, Neighbourhood
 }
 
 /// All but the elements.
-void Assembly::add_rest(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const {
+void Assembly::add_rest(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const {
   add_loads(state, equations, tangent);
   add_pressures(state, equations, tangent);
   add_layers(state, equations, tangent);
-  add_region_forces(state, equations, tangent);
+  add_region_forces(state, equations, tangent, beside);
   for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
   add_organ_contact(meetings, state, equations, tangent);
 }
@@ -273,7 +278,7 @@ void Assembly::remember(State& state, const Neighbourhood* known, const LawShift
         elements::remember(rest_[e], model_.materials[model_.tet_material[e]], local, &memory[memory_starts_[e]]);
       }
   });
-  remember_region_forces(state, memory);
+  remember_region_forces(state, memory, known);
   state.memory = std::move(memory);
   state.memory_time = state.time;
 }
@@ -281,8 +286,11 @@ void Assembly::remember(State& state, const Neighbourhood* known, const LawShift
 std::vector<elements::ElementResult> Assembly::results(const State& state) const {
   std::vector<elements::ElementResult> results(model_.tets.size());
   in_shares(static_cast<int>(model_.tets.size()), threads_, [&](int from, int to) {
-    for (int e = from; e < to; ++e)
-      results[e] = elements::mini_element_result(rest_[e], model_.materials[model_.tet_material[e]], element_state(model_, state, e, memory_starts_[e]));
+    for (int e = from; e < to; ++e) {
+      auto local = element_state(model_, state, e, memory_starts_[e]);
+      local.asked = materials::Asked::stress;
+      results[e] = elements::mini_element_result(rest_[e], model_.materials[model_.tet_material[e]], local);
+    }
   });
   return results;
 }

@@ -35,6 +35,7 @@ struct PairPlace {
 struct ContactSums {
   std::vector<ToolSums> tools;
   double penetration = 0, mismatch = 0;  ///< worst ones; see FaceContact
+  int weakly_active = 0;                 ///< points that touch a tool without pressing
   std::vector<contact::Point> points;    ///< every contact point, as State::contact_pressures
   std::vector<OrganSums> organs;         ///< one per contact of the case
   std::vector<PairPlace> pairs;          ///< those that lie inside the other surface
@@ -78,8 +79,8 @@ class Assembly {
   /// Residual and contact of a run close to the known one, at the same bubbles, which take a linear step. `shifts`: are told what its laws with other
   /// numbers say more; `scratch`: of the same pattern.
   Equations beside(State& state, const Neighbourhood& known, LawShifts& shifts, BlockMatrix& scratch) const;
-  /// Loads and contact alone.
-  Equations without_tissue(const State& state, BlockMatrix& scratch) const;
+  /// Loads and contact alone, of a run close to the known one.
+  Equations without_tissue(const State& state, const Neighbourhood& known, BlockMatrix& scratch) const;
   /// The bubbles' answer to a small step of the nodes.
   void let_bubbles_follow(State& state, const Neighbourhood& known, const Eigen::VectorXd& step) const;
   /// Change of the residual at an unchanged shape when time goes on: loads grow, tools travel (to first order).
@@ -88,8 +89,8 @@ class Assembly {
   std::vector<double> next_pair_pressures(const State& state, const ContactSums& contact, const Increment& step, double length) const;
   /// Contact pressures after a part `length` of the Newton step `step` from `state`, while time goes on to `time`.
   std::vector<double> next_pressures(const State& state, const ContactSums& contact, const Increment& step, double time, double length) const;
-  /// Change of a tool's force on the organ when the nodes of `state` change by `step`, to first order, N.
-  Eigen::Vector3d tool_force_change(int tool, const State& state, const Eigen::VectorXd& step) const;
+  /// Changes of a tool's force on the organ when the nodes of `state` change by each column of `steps`, to first order, N.
+  Eigen::Matrix3Xd tool_force_changes(int tool, const State& state, const Eigen::MatrixXd& steps) const;
   /// Sum of gravity, body forces, nodal forces, pressures, springs and region forces on the organs, N.
   Eigen::Vector3d loads(const State& state) const;
   /// What does work on the organs, and where what can be lost goes; forces are zero of empty equations.
@@ -107,14 +108,15 @@ class Assembly {
   Equations empty_equations(const State& state) const;
   void add_elements(State& state, Equations& equations, BlockMatrix& tangent, Neighbourhood* known) const;
   std::vector<char> same_laws(const Neighbourhood& known) const;
-  void add_rest(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_rest(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside = nullptr) const;
   void add_loads(const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_pressures(const State& state, Equations& equations, BlockMatrix& tangent) const;
   Eigen::Vector3d pressure_on_organs(const State& state) const;
   void add_layers(const State& state, Equations& equations, BlockMatrix& tangent) const;
-  void add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent) const;
+  void add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const;
+  void learn_region_forces(const State& state, Neighbourhood& known) const;
   Eigen::Vector3d region_forces_on_organs(const State& state) const;
-  void remember_region_forces(const State& state, std::vector<double>& memory) const;
+  void remember_region_forces(const State& state, std::vector<double>& memory, const Neighbourhood* beside) const;
   void sum_up(int tool, const contact::FaceContact& contact, const std::array<int, 3>& nodes, const contact::Face& face,
               const contact::Pose& pose, ToolSums& sums) const;
   Meetings meetings_of(const State& state) const;

@@ -23,6 +23,7 @@ Equations Assembly::beside(State& state, const Neighbourhood& known, LawShifts& 
   in_shares(static_cast<int>(model_.tets.size()), threads_, [&](int from, int to) {
     for (int e = from; e < to; ++e) {
       auto local = element_state(model_, state, e, memory_starts_[e]);
+      local.asked = materials::Asked::stress;
       std::array<materials::KnownLaw, 4> own;
       if (same[model_.tet_material[e]]) local.known = &known.laws[4 * e];
       else local.learns = own.data();
@@ -32,17 +33,17 @@ Equations Assembly::beside(State& state, const Neighbourhood& known, LawShifts& 
         for (int s = 0; s < 4; ++s) shifts[4 * e + s] = materials::shift(own[s], known.laws[4 * e + s]);
     }
   });
-  Equations equations = without_tissue(state, scratch);
+  Equations equations = without_tissue(state, known, scratch);
   for (std::size_t e = 0; e < residuals.size(); ++e)
     for (int a = 0; a < 4; ++a) equations.residual.segment<4>(4 * model_.tets[e][a]) += residuals[e].segment<4>(4 * a);
   return equations;
 }
 
-Equations Assembly::without_tissue(const State& state, BlockMatrix& scratch) const {
+Equations Assembly::without_tissue(const State& state, const Neighbourhood& known, BlockMatrix& scratch) const {
   Equations equations = empty_equations(state);
   const auto meetings = meetings_of(state);
   scratch.extend(touching_nodes(meetings));
-  add_rest(meetings, state, equations, scratch);
+  add_rest(meetings, state, equations, scratch, &known);
   return equations;
 }
 

@@ -22,11 +22,12 @@ struct Neighbourhood {
   std::vector<std::vector<double>> parameters;         ///< of every material's law
   std::vector<materials::KnownLaw> laws;               ///< of every sub-tetrahedron
   std::vector<elements::Condensation> condensations;  ///< of every tetrahedron
+  std::vector<char> slides;                            ///< of every point of a region force: frozen, as the set of what touches is
 };
 
 /// Of every sub-tetrahedron; none where all laws have the known numbers.
 using LawShifts = std::vector<materials::LawShift>;
 
-inline void keep(Archive& a, Neighbourhood& x) { a(x.parameters, x.laws); }  // condensations are made before they are read
+inline void keep(Archive& a, Neighbourhood& x) { a(x.parameters, x.laws, x.slides); }  // condensations are made before they are read
 
 }  // namespace palpate::implicit

@@ -12,6 +12,12 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// What a point may do in a run beside: what it does in the run.
+effects::Branch branch(const Neighbourhood* beside, std::size_t point) {
+  if (!beside || beside->slides.empty()) return effects::Branch::by_bound;
+  return beside->slides[point] ? effects::Branch::slides : effects::Branch::sticks;
+}
+
 /// Calls `visit` with every region force, its point, and where the point's memory begins.
 template <class Visit>
 void for_each_point(const Model& model, std::size_t first, const Visit& visit) {
@@ -45,9 +51,17 @@ void Assembly::add_layers(const State& state, Equations& equations, BlockMatrix&
   equations.stored.layers = grown * equations.stored.grown_layers;
 }
 
-void Assembly::add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent) const {
+void Assembly::learn_region_forces(const State& state, Neighbourhood& known) const {
+  known.slides.clear();
   for_each_point(model_, memory_starts_.back(), [&](const RegionForce& bed, const RegionForce::Point& point, std::size_t first) {
-    const auto push = bed.effect.force.respond({state.displacement(point.node), point.normal}, {state.memory.data() + first, static_cast<std::size_t>(bed.memory())}, bed.parameters);
+    known.slides.push_back(bed.effect.force.respond({state.displacement(point.node), point.normal}, {state.memory.data() + first, static_cast<std::size_t>(bed.memory())}, bed.parameters).slides);
+  });
+}
+
+void Assembly::add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const {
+  std::size_t at = 0;
+  for_each_point(model_, memory_starts_.back(), [&](const RegionForce& bed, const RegionForce::Point& point, std::size_t first) {
+    const auto push = bed.effect.force.respond({state.displacement(point.node), point.normal, branch(beside, at++)}, {state.memory.data() + first, static_cast<std::size_t>(bed.memory())}, bed.parameters);
     equations.residual.segment<3>(4 * point.node) -= point.area * push.traction;
     Block block = Block::Zero();
     block.topLeftCorner<3, 3>() = -point.area * push.by_displacement;
@@ -63,9 +77,10 @@ Vector3d Assembly::region_forces_on_organs(const State& state) const {
   return sum;
 }
 
-void Assembly::remember_region_forces(const State& state, std::vector<double>& memory) const {
+void Assembly::remember_region_forces(const State& state, std::vector<double>& memory, const Neighbourhood* beside) const {
+  std::size_t at = 0;
   for_each_point(model_, memory_starts_.back(), [&](const RegionForce& bed, const RegionForce::Point& point, std::size_t first) {
-    bed.effect.force.remember({state.displacement(point.node), point.normal}, {memory.data() + first, static_cast<std::size_t>(bed.memory())}, bed.parameters);
+    bed.effect.force.remember({state.displacement(point.node), point.normal, branch(beside, at++)}, {memory.data() + first, static_cast<std::size_t>(bed.memory())}, bed.parameters);
   });
 }
 

@@ -5,8 +5,8 @@
 namespace palpate::materials {
 namespace {
 
-Response respond(const Mat3& F, std::span<const double> p) {
-  const auto I1 = first_invariant(F);
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
+  const auto I1 = first_invariant(F, asked);
   const double mu = p[0], b = p[1], Q = b * (I1.value - 3);
   return from_one(I1, mu / (2 * b) * std::expm1(Q), mu / 2 * std::exp(Q), mu * b / 2 * std::exp(Q));
 }

@@ -21,19 +21,19 @@ std::array<Vector3d, 2> families(std::span<const double> p) {
   return {along + across, along - across};
 }
 
-Response respond(const Mat3& F, std::span<const double> p) {
-  const auto I1 = first_invariant(F);
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
+  const auto I1 = first_invariant(F, asked);
   Response r = from_one(I1, p[0] / 2 * (I1.value - 3), p[0] / 2, 0);
   const double k1 = p[1], k2 = p[2];
   for (const Vector3d& a : families(p)) {
-    const auto I4 = fibre_invariant(F, a);
+    const auto I4 = fibre_invariant(F, a, asked);
     const double stretch = I4.value - 1;
     if (stretch <= 1e-14) continue;  // slack; round-off must not decide whether a fibre at rest counts
     const double Q = k2 * stretch * stretch, E = k1 * std::exp(Q);
     const Response fibre = from_one(I4, k1 / (2 * k2) * std::expm1(Q), E * stretch, E * (1 + 2 * Q));
     r.W += fibre.W;
     r.P += fibre.P;
-    r.A += fibre.A;
+    if (asked == Asked::all) r.A += fibre.A;
   }
   return r;
 }

@@ -6,11 +6,11 @@
 namespace palpate::materials {
 namespace {
 
-Response respond(const Mat3& F, std::span<const double> p) {
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
   const double mu = hooke_shear_modulus(p);
   const PrincipalStrain strain = principal_strain(F);
   const Mat3 derivative = 2 * mu * (Mat3::Identity() - Mat3::Constant(1.0 / 3));
-  return from_principal(F, strain, {mu * strain.e.squaredNorm(), 2 * mu * strain.e, derivative, Mat3::Constant(2 * mu)});
+  return from_principal(F, strain, {mu * strain.e.squaredNorm(), 2 * mu * strain.e, derivative, Mat3::Constant(2 * mu)}, asked);
 }
 
 }  // namespace

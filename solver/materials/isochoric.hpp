@@ -6,19 +6,21 @@
 
 namespace palpate::materials {
 
-/// A scalar of F with gradient and Hessian by F.
+/// A scalar of F with gradient and Hessian by F; without, where the stress alone is asked for.
 struct Invariant {
   double value = 0;
   Mat3 gradient;
   Mat9 hessian;
+  Asked asked = Asked::all;
 };
 
 /// J^(−2/3) tr(F M Fᵀ) of F, det F > 0, with a symmetric M of the rest shape: Ī1 for M = I, Ī4 for M = a ⊗ a.
-inline Invariant stretch_invariant(const Mat3& F, const Mat3& M) {
+inline Invariant stretch_invariant(const Mat3& F, const Mat3& M, Asked asked) {
   const Mat3 G = F.inverse().transpose();  // ∂ ln J/∂F
   const Mat3 FM = F * M;
   const double I = F.cwiseProduct(FM).sum(), s = 2 * std::pow(F.determinant(), -2.0 / 3);
-  Invariant inv{0.5 * s * I, s * (FM - I / 3 * G), {}};
+  Invariant inv{0.5 * s * I, s * (FM - I / 3 * G), {}, asked};
+  if (asked == Asked::stress) return inv;
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
@@ -29,18 +31,19 @@ inline Invariant stretch_invariant(const Mat3& F, const Mat3& M) {
 }
 
 /// Ī1 of F, det F > 0.
-inline Invariant first_invariant(const Mat3& F) { return stretch_invariant(F, Mat3::Identity()); }
+inline Invariant first_invariant(const Mat3& F, Asked asked) { return stretch_invariant(F, Mat3::Identity(), asked); }
 
 /// Ī4 of F, det F > 0: the square of the isochoric stretch along a unit vector of the rest shape.
-inline Invariant fibre_invariant(const Mat3& F, const Eigen::Vector3d& a) { return stretch_invariant(F, a * a.transpose()); }
+inline Invariant fibre_invariant(const Mat3& F, const Eigen::Vector3d& a, Asked asked) { return stretch_invariant(F, a * a.transpose(), asked); }
 
 /// Ī2 of F, det F > 0.
-inline Invariant second_invariant(const Mat3& F) {
+inline Invariant second_invariant(const Mat3& F, Asked asked) {
   const Mat3 G = F.inverse().transpose();
   const Mat3 C = F.transpose() * F, b = F * F.transpose();
   const double I1 = C.trace(), I2 = 0.5 * (I1 * I1 - C.squaredNorm()), s = 2 * std::pow(F.determinant(), -4.0 / 3);
   const Mat3 H = I1 * F - F * C;  // ½ ∂I2/∂F
-  Invariant inv{0.5 * s * I2, s * (H - 2.0 / 3 * I2 * G), {}};
+  Invariant inv{0.5 * s * I2, s * (H - 2.0 / 3 * I2 * G), {}, asked};
+  if (asked == Asked::stress) return inv;
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
@@ -55,7 +58,9 @@ inline Invariant second_invariant(const Mat3& F) {
 /// P and A of W(Ī), one invariant, by the chain rule: W1 = ∂W/∂Ī, W11 = ∂²W/∂Ī².
 inline Response from_one(const Invariant& I, double W, double W1, double W11) {
   const Vec9 a = Eigen::Map<const Vec9>(I.gradient.data());
-  Response r{W, W1 * I.gradient, W1 * I.hessian};
+  Response r{W, W1 * I.gradient, {}};
+  if (I.asked == Asked::stress) return r;
+  r.A = W1 * I.hessian;
   if (W11 != 0) r.A += W11 * a * a.transpose();
   return r;
 }

@@ -11,16 +11,18 @@ struct KnownLaw {
   double W = 0;
   Eigen::Matrix<float, 9, 9> A;  ///< single precision: it is multiplied by differences alone
 
-  void learn(const Mat3& at, const Response& r) {
+  void learn(const Mat3& at, const Response& r, Asked asked) {
     F = at;
     P = r.P;
     W = r.W;
-    A = r.A.cast<float>();
+    if (asked == Asked::all) A = r.A.cast<float>();
   }
   /// Energy and stress at a deformation close by; no tangent.
   Response at(const Mat3& near) const {
+    Response r{W, P, {}};
+    if (near == F) return r;
     const Mat3 step = near - F;
-    Response r{W + P.cwiseProduct(step).sum(), P, Mat9::Zero()};
+    r.W += P.cwiseProduct(step).sum();
     Eigen::Map<Vec9>(r.P.data()) += (A * Eigen::Map<const Vec9>(step.data()).cast<float>()).cast<double>();
     return r;
   }

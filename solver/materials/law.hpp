@@ -22,6 +22,9 @@ struct Response {
   Mat9 A = Mat9::Zero();
 };
 
+/// What of a response is wanted: with the stress alone the tangent is left unwritten.
+enum class Asked { all, stress };
+
 /// How the element measures volume: J = det F, or 1 + tr(F − I) with the geometry not updated.
 enum class Kinematics { finite, small };
 
@@ -29,7 +32,8 @@ struct Law {
   CatalogueEntry entry;
   Kinematics kinematics = Kinematics::finite;
   /// Requires det F > 0. `parameters` in the order of entry.parameters.
-  Response (*respond)(const Mat3& F, std::span<const double> parameters) = nullptr;
+  Response (*function)(const Mat3& F, std::span<const double> parameters, Asked asked) = nullptr;
+  Response respond(const Mat3& F, std::span<const double> parameters, Asked asked = Asked::all) const { return function(F, parameters, asked); }
   /// Initial shear modulus, MPa.
   double (*shear_modulus)(std::span<const double> parameters) = nullptr;
   /// Bulk modulus κ, MPa; infinite for an incompressible law.

@@ -5,10 +5,11 @@
 namespace palpate::materials {
 namespace {
 
-Response respond(const Mat3& F, std::span<const double> p) {
-  const auto I1 = first_invariant(F), I2 = second_invariant(F);
-  return {p[0] * (I1.value - 3) + p[1] * (I2.value - 3), p[0] * I1.gradient + p[1] * I2.gradient,
-          p[0] * I1.hessian + p[1] * I2.hessian};
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
+  const auto I1 = first_invariant(F, asked), I2 = second_invariant(F, asked);
+  Response r{p[0] * (I1.value - 3) + p[1] * (I2.value - 3), p[0] * I1.gradient + p[1] * I2.gradient, {}};
+  if (asked == Asked::all) r.A = p[0] * I1.hessian + p[1] * I2.hessian;
+  return r;
 }
 
 }  // namespace

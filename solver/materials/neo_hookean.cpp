@@ -5,8 +5,8 @@
 namespace palpate::materials {
 namespace {
 
-Response respond(const Mat3& F, std::span<const double> p) {
-  const auto I1 = first_invariant(F);
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
+  const auto I1 = first_invariant(F, asked);
   return from_one(I1, p[0] / 2 * (I1.value - 3), p[0] / 2, 0);
 }
 

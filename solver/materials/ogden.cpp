@@ -12,7 +12,7 @@ double phi(double t) {
   return 1.0 / 2 + t * (1.0 / 6 + t * (1.0 / 24 + t * (1.0 / 120 + t * (1.0 / 720 + t / 5040))));
 }
 
-Response respond(const Mat3& F, std::span<const double> p) {
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
   const PrincipalStrain strain = principal_strain(F);
   const Eigen::Vector3d& e = strain.e;
   PrincipalStress stress{0, Eigen::Vector3d::Zero(), Mat3::Zero(), Mat3::Zero()};
@@ -23,6 +23,7 @@ Response respond(const Mat3& F, std::span<const double> p) {
     for (int k = 0; k < 3; ++k) {
       stress.W += twice * e(k) * e(k) * phi(alpha * e(k));
       stress.tau(k) += twice * e(k) * expm1_over(alpha * e(k));
+      if (asked == Asked::stress) continue;
       rate(k) += twice * std::exp(alpha * e(k));
       for (int j = k + 1; j < 3; ++j)  // (exp(α e_j) − exp(α e_k))/(α (e_j − e_k))
         stress.slope(k, j) += twice * std::exp(alpha * e(k)) * expm1_over(alpha * (e(j) - e(k)));
@@ -31,7 +32,7 @@ Response respond(const Mat3& F, std::span<const double> p) {
   stress.tau.array() -= stress.tau.mean();
   const Mat3 deviator = Mat3::Identity() - Mat3::Constant(1.0 / 3);
   stress.derivative = deviator * rate.asDiagonal() * deviator;
-  return from_principal(F, strain, stress);
+  return from_principal(F, strain, stress, asked);
 }
 
 }  // namespace

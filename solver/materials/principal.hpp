@@ -36,11 +36,12 @@ inline PrincipalStrain principal_strain(const Mat3& F) {
 /// Second Piola-Kirchhoff stress S and tangent 2 ∂S/∂C in principal axes, pushed forward on first and third index:
 /// S_i = τ_i/x_i; 2 ∂S_i/∂x_j = (∂τ_i/∂ln λ_j)/(x_i x_j) − 2 δ_ij τ_i/x_i²;
 /// (S_j − S_i)/(x_j − x_i) = (½ slope_ij x_i ln(x_j/x_i)/(x_j − x_i) − τ_i)/(x_i x_j).
-inline Response from_principal(const Mat3& F, const PrincipalStrain& strain, const PrincipalStress& stress) {
+inline Response from_principal(const Mat3& F, const PrincipalStrain& strain, const PrincipalStress& stress, Asked asked) {
   const Eigen::Vector3d& x = strain.x;
   const Mat3 &N = strain.axes, f = F * N;  // columns: axes, and their images
   const Eigen::Vector3d S = stress.tau.cwiseQuotient(x);
   Response r{stress.W, f * S.asDiagonal() * N.transpose(), {}};
+  if (asked == Asked::stress) return r;
   // A = B M Bᵀ + geometric part: dyads of B are stretches 00, 11, 22, then shears 01, 02, 12; M couples the stretches alone.
   Eigen::Matrix<double, 9, 6> B, MB;
   const auto dyad = [&](int a, int b, int j) { return N(j, b) * f.col(a); };  // rows 3 j … 3 j + 2

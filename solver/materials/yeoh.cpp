@@ -5,8 +5,8 @@
 namespace palpate::materials {
 namespace {
 
-Response respond(const Mat3& F, std::span<const double> p) {
-  const auto I1 = first_invariant(F);
+Response respond(const Mat3& F, std::span<const double> p, Asked asked) {
+  const auto I1 = first_invariant(F, asked);
   const double t = I1.value - 3;
   return from_one(I1, t * (p[0] + t * (p[1] + t * p[2])), p[0] + t * (2 * p[1] + t * 3 * p[2]), 2 * p[1] + 6 * t * p[2]);
 }

@@ -95,6 +95,30 @@ motion_mm = [0.2, 0.0, -0.6]
                       "displacement[0].motion_mm[2]", "force[0].total_N[0]"});
 }
 
+/// A block held below, whose side slides on a bed, is pressed and held for three steps.
+TEST_F(SensitivitiesOfARun, ASlidingSupportInALongHold) {
+  write(R"([material]
+law = "fung_demiray"
+mu = 0.0067
+b = 1.3
+[[effect]]
+name = "support"
+stiffness = 0.005
+tangential = 0.5
+friction = 0.4
+box = { min_mm = [-6.0, -6.0, -1.0], max_mm = [-4.9, 6.0, 6.0] }
+[tool]
+kind = "ball"
+radius_mm = 3.0
+aim_mm = [0.3, 0.2, 5.0]
+axis = [0.1, 0.0, -1.0]
+path = [[0, 0], [1, 0.9], [2, 0.9], [3, 0.5]]
+[steps]
+count = 9
+)" + base);
+  expect_derivatives({"effect[0].stiffness", "effect[0].tangential", "effect[0].friction"});
+}
+
 TEST_F(SensitivitiesOfARun, AToolThatTurns) {
   write(soft + slanting + R"(friction = 0.3
 path = [[0, 0], [1, 0.8], [2, 0.8]]
@@ -103,6 +127,29 @@ turn = { about = [0.1, 1.0, 0.0], from_tip_mm = [0.2, 0.0, 4.0], path = [[0, 0],
 count = 6
 )" + base);
   expect_derivatives({"material.mu", "tool.friction", "tool.aim_mm[0]", "tool.turn.about[0]", "tool.turn.from_tip_mm[2]", "tool.turn.path[2][1]"});
+}
+
+/// A plane that has come back to where it touched touches everywhere and presses nowhere; a step earlier it presses.
+TEST_F(SensitivitiesOfARun, PointsThatTouchWithoutPressingAreOfOneSide) {
+  const auto remarks_at = [&](const std::string& last) {
+    write(soft + R"([tool]
+kind = "plane"
+aim_mm = [0.0, 0.0, 5.0]
+axis = [0.0, 0.0, -1.0]
+path = [[0, 0], [1, 0.4], [2, )" + last + "]]\n[steps]\ncount = 4\n" + base);
+    const Settings settings = Settings::read(folder / "case.toml");
+    Case c = read_case(settings, "");
+    implicit::Equilibrium equilibrium(c.model, 1);
+    implicit::State state = implicit::rest_state(c.model);
+    Sensitivities sensitivities(settings, "", {"material.mu"}, equilibrium, 1);
+    implicit::run_steps(equilibrium, state, c.steps, [](const implicit::Step&) {}, [&](const implicit::Accepted& found) { sensitivities.follow(found.state); });
+    EXPECT_EQ(state.time, 2);
+    return sensitivities.one_sided();
+  };
+  EXPECT_TRUE(remarks_at("0.1").empty());
+  const auto remarks = remarks_at("0.0");
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].find("in 1 step(s): points touch a tool without pressing"), std::string::npos) << remarks[0];
 }
 
 /// Its depth is what answers.
