@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sets of a pressed organ by the whole solver.
 
-    solved.py BIN CASE MESH SOLVES FOLDER [--effects none,prony,prony+drift] [--each N] [--seed N] [--repeatability PERCENT] [--amplitude X]
+    solved.py BIN CASE MESH SOLVES FOLDER [--effects none,prony,prony+drift] [--each N] [--seed N] [--repeatability PERCENT] [--amplitude X] [--memory-mesh MESH]
 
 BIN: the executables. CASE: case.toml of the loop, beside its mesh; its law is the truth's too. MESH: the truth's mesh. SOLVES: curves are kept there. FOLDER gets one set per
 effect and number, and answers.jsonl. Protocol: two rods; ramp, hold, unload, rest, twice, at three rates, with repeats; a rigid block; one sealed run to four fifths of the depth.
@@ -22,13 +22,14 @@ import subprocess
 
 from physics import SENSOR, cubic, noise, read_off
 
-# Of palpate-solve: text of the effect, amplitude. Memory: every motion is solved; friction and adhesion: each programme of depth; the others one curve per rod.
+# Of palpate-solve: text of the effect, amplitude. Memory: every motion is solved; what has no time in it: each programme of depth; the others one curve per rod.
 IN_SOLVER = {"prony": ('[[effect]]\nname = "prony"\ng = {}\ntau_s = 4.0\n', 0.2), "rate": ('[[effect]]\nname = "rate"\nm = {}\nrate_0 = 0.01\n', 0.05),
              "mullins": ('[[effect]]\nname = "mullins"\ninverse_r = {}\nm = 0.0003\n', 0.3), "permanent_set": ('[[effect]]\nname = "permanent_set"\nfraction = {}\nyield = 0.05\n', 0.1),
              "friction": ('[[effect]]\nname = "friction"\nmu = {}\n', 0.15), "adhesion": ('[[effect]]\nname = "adhesion"\nwork = {}\nrange_mm = 0.3\n', 0.3),
              "capsule": ('[[effect]]\nname = "capsule"\nE_h = {}\n', 0.02), "prestress": ('[[effect]]\nname = "prestress"\np_kPa = {}\n', 1.0),
-             "support": ('[[effect]]\nname = "support"\nstiffness = {}\n', 0.01), "compressibility": ("", 0.06), "stiffening": ("", 0.6)}
-MEMORY, PATH = {"prony", "rate", "mullins", "permanent_set"}, {"friction", "adhesion"}
+             "support": ('[[effect]]\nname = "support"\nstiffness = {}\n', 0.002), "compressibility": ("", 0.06), "stiffening": ("", 0.6), "thickness": ("", -0.12),
+             "inclusion": ("", 1.0)}
+MEMORY, PATH = {"prony", "rate"}, {"friction", "adhesion", "mullins", "permanent_set"}
 # Of the rig, on top: read_off's and ours. Forces in shares of the largest.
 ON_TOP = {"contact_offset": 0.12, "rig_compliance": 0.25, "drift": 4e-4, "lag": 0.3, "saturation": 0.75, "tare": 0.03, "gain": 0.05}
 DEPTH = 4.0  # mm
@@ -60,6 +61,11 @@ def case_text(a, radius, effect, amplitude, motion):
         text = re.sub(r"(?m)^(mu\s*=.*)$", rf"\1\nkappa = {2 * mu * (1 + nu) / (3 * (1 - 2 * nu))}", text)
     elif effect == "stiffening":
         text = re.sub(r"(?ms)^\[material\].*?(?=^\[|\Z)", f'[material]\nlaw = "fung_demiray"\nmu = {mu}\nb = {amplitude}\n', text)
+    elif effect == "thickness":
+        n, x0 = (json.loads(re.search(rf"{key}\s*=\s*(\[.*?\])", text)[1]) for key in ("normal", "point_mm"))
+        text += '[[effect]]\nname = "thickness"\nexcess = {}\n'.format(amplitude) + "".join(f"axis_{c} = {x}\n{c}_mm = {y}\n" for c, x, y in zip("xyz", n, x0))
+    elif effect == "inclusion":
+        text += '[[effect]]\nname = "inclusion"\nexcess = {}\nradius_mm = 4.0\n'.format(amplitude) + "".join(f"{c}_mm = {x}\n" for c, x in zip("xyz", a.lump))
     elif effect:
         text += IN_SOLVER[effect][0].format(amplitude)
     if effect == "support":
@@ -67,34 +73,35 @@ def case_text(a, radius, effect, amplitude, motion):
     return text + f'[tool]\nkind = "rod"\nradius_mm = {radius}\n' + a.aim + motion
 
 
-def solved(a, radius, effect, amplitude, motion):
+def solved(a, mesh, radius, effect, amplitude, motion):
     """(t, depth, force) of each step."""
     text = case_text(a, radius, effect, amplitude, motion)
-    folder = a.solves / f"{effect or 'none'}-{hashlib.sha256(text.encode() + a.mesh.read_bytes()).hexdigest()[:12]}"
+    folder = a.solves / f"{effect or 'none'}-{hashlib.sha256(text.encode() + mesh.read_bytes()).hexdigest()[:12]}"
     if not (folder / "history.csv").exists():
         a.solves.mkdir(parents=True, exist_ok=True)
         folder.with_suffix(".toml").write_text(text)
-        subprocess.run([a.bin / "palpate-solve", folder.with_suffix(".toml"), folder, "--mesh", a.mesh, "--quiet", "--threads=1"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([a.bin / "palpate-solve", folder.with_suffix(".toml"), folder, "--mesh", mesh, "--quiet", "--threads=1"], check=True, stdout=subprocess.DEVNULL)
     with open(folder / "history.csv") as file:
         return [(float(r["t[s]"]), float(r["depth[mm]"]), float(r["F[N]"])) for r in csv.DictReader(file)]
 
 
-def elastic(a, radius, effect="", amplitude=0.0):
+def elastic(a, radius, effect="", amplitude=0.0, mesh=None):
     """Force over depth, a function."""
-    rows = [r for r in solved(a, radius, effect, amplitude, f"depth_mm = {1.08 * DEPTH}\n[steps]\ncount = 22\nframes = 1\n") if r[1] > 0 and r[2] > 0]
+    rows = [r for r in solved(a, mesh or a.mesh, radius, effect, amplitude, f"depth_mm = {1.08 * DEPTH}\n[steps]\ncount = 22\nframes = 1\n") if r[1] > 0 and r[2] > 0]
     points = [(math.sqrt(u), f / u**1.5) for _, u, f in rows]
     return lambda u: 0.0 if u <= 0 else u**1.5 * (points[0][1] if math.sqrt(u) < points[0][0] else cubic(points, math.sqrt(u)))
 
 
 def moved(a, radius, rate, depth, effect, amplitude, base):
-    """Force over time of a motion: the ratio to the elastic force, a cubic between the solved times of each stretch."""
+    """Force over time of a motion: the ratio to the elastic force of the same mesh, a cubic between the solved times of each stretch, times the truth's elastic force."""
     corners, times = programme(rate, depth)
     path = ", ".join(f"[{t:.6f}, {u:.6f}]" for t, u in corners)
-    rows = solved(a, radius, effect, amplitude, f"path = [{path}]\n[steps]\ntimes_s = [{', '.join(f'{t:.6f}' for t in times)}]\nmost_cuts = 8\nframes = 1\n")
-    floor = 0.02 * base(depth)
+    rows = solved(a, a.memory_mesh, radius, effect, amplitude, f"path = [{path}]\n[steps]\ntimes_s = [{', '.join(f'{t:.6f}' for t in times)}]\nmost_cuts = 8\nframes = 1\n")
+    own = elastic(a, radius, mesh=a.memory_mesh)
+    floor, own_floor = 0.02 * base(depth), 0.02 * own(depth)
     phases = []  # knots of each stretch of the motion
     for (start, _), (end, _) in zip(corners, corners[1:]):
-        phases.append([(t, f / max(base(u), floor)) for t, u, f in rows if start - 1e-6 <= t <= end + 1e-6])
+        phases.append([(t, f / max(own(u), own_floor)) for t, u, f in rows if start - 1e-6 <= t <= end + 1e-6])
     ends = [t for t, _ in corners[1:]]
 
     def force(t, u):
@@ -156,6 +163,19 @@ def read_run(a, effects, knobs, run, order):
     return times, read, read_off(times, force, {"order": order}, {k: v for k, v in knobs.items() if k in ON_TOP})
 
 
+def given_way(a, stiffness):
+    """Compliance, mm/N, by which a support of this stiffness per area lets the organ go down under the small rod: least squares over depth."""
+    held, carried = elastic(a, 2.5), elastic(a, 2.5, "support", stiffness)
+    over = under = 0.0
+    for k in range(4, 21):
+        u = DEPTH * k / 20
+        low, high = 0.0, u
+        for _ in range(40):
+            low, high = ((low + high) / 2, high) if held((low + high) / 2) < carried(u) else (low, (low + high) / 2)
+        over, under = over + (u - low) * carried(u), under + carried(u) ** 2
+    return over / under
+
+
 def write_set(a, name, effects, seed):
     rng = random.Random(seed)
     top = elastic(a, 2.5)(DEPTH)
@@ -189,6 +209,8 @@ def write_set(a, name, effects, seed):
         csv.writer(file).writerows([("t[s]", "u[mm]", "F[N]", "phase")] + [(f"{t:.2f}", f"{u:.6f}", f"{f:.7f}", p) for t, u, f, p in rows])
     text += f'\n[[run]]\nid = "b01"\nfile = "block.csv"\ntool = "t2"\n{a.point}zero = "geometry"\norder = {len(runs_of()) + 1}\nrest_before_s = 60\nrole = "calibration"\n'
     (folder / "set.toml").write_text(text)
+    if "support" in knobs:
+        knobs["support_mm_per_N"] = given_way(a, knobs["support"])
     with open(a.folder / "answers.jsonl", "a") as file:
         file.write(json.dumps({"set": name, "effects": effects, "size": round(100 * math.sqrt(squares / count) / top, 2), "knobs": knobs, "seed": seed}) + "\n")
 
@@ -202,12 +224,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--repeatability", type=float, default=1.0)
     parser.add_argument("--amplitude", type=float, default=0.0, help="of the first effect, instead of the usual one")
+    parser.add_argument("--memory-mesh", type=pathlib.Path, help="a coarser one for effects that remember, or hold on to the tool: of their force over the elastic one, instead of MESH")
     parser.add_argument("--law", default="", help='of the set, instead of the case\'s: "unknown"')
     a = parser.parse_args()
     tool = re.search(r"(?ms)^\[tool\].*?(?=^\[|\Z)", a.case.read_text())[0]
     aim, axis = (re.search(rf"(?m)^{key}\s*=\s*(\[.*?\])", tool)[1] for key in ("aim_mm", "axis"))
     a.aim, a.point = f"aim_mm = {aim}\naxis = {axis}\n", f"point_mm = {aim}\naxis = {axis}\n"
-    a.case = a.case.resolve()
+    a.case, a.memory_mesh = a.case.resolve(), a.memory_mesh or a.mesh
     for word in a.effects.split(","):
         for i in range(a.each):
             write_set(a, f"{word.replace('+', '-')}_{i}", [] if word == "none" else word.split("+"), 1000 * a.seed + 100 * i + sum(map(ord, word)))

@@ -1,18 +1,15 @@
-// A case's text with other materials, its mesh refined under the tool, and least squares of solved over closed forms.
+// A case's text with other materials and effects, its mesh refined under the tool, and what the solves say of both.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/case_curve.hpp>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 #include <palpate/errors.hpp>
 #include <palpate/mesh_files.hpp>
-#include <palpate/settings.hpp>
 #include <palpate/text_file.hpp>
 #include <loop/forward/departures.hpp>
+#include <loop/forward/memory_length.hpp>
 #include <loop/forward/process.hpp>
 #include <loop/methods/parallel.hpp>
 
@@ -21,15 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double change_share = 0.15;  // of the force: as large as effects are that are looked for
-constexpr double followed = 0.1;       // of a solved change that the closed form, scaled, may miss
+constexpr double shares[] = {0.06, 0.2};  ///< of the force that departures change where they are solved, by the closed form: about the least and the most that is looked for
 
-/// A solve of the case: its material, and the departure that is in it.
+constexpr int base_steps = 14;  ///< changes are asked at every second of these depths, where the mesh's own roughness cancels
+
+/// A solve of the case with something in it.
 struct Variant {
-  Tissue tissue;
-  const Departure* of = nullptr;
-  double amplitude = 0;
+  std::string text;
   SolvedCurve curve;
+  std::string failure;
 };
 
 /// The start without any departure that the solver is asked about.
@@ -39,20 +36,36 @@ Tissue without_departures(Tissue tissue) {
   return tissue;
 }
 
-std::vector<Variant> variants_of(const Site& site, const Tissue& start, bool law_open, double deepest) {
+/// Sizes at which a departure is solved: about the null's own, or where it changes the closed form by the shares.
+std::vector<double> sizes_of(const Departure& d, const Site& site, const Tissue& start, const Tissue& base, double deepest) {
+  if (const double own = d.amplitude(start); own != 0) return {0.5 * own, 1.5 * own};
+  std::vector<double> sizes;
+  for (double share : shares) sizes.push_back(amplitude_of(d, site, base, deepest, share));
+  return sizes;
+}
+
+/// All changes that are asked for, each curve with its size and nothing solved yet.
+std::vector<SolvedChange> changes_of(const SiteJob& job, const Site& site, const Tissue& start, bool law_open, const std::vector<double>& inclusions_mm) {
   const Tissue base = without_departures(start);
-  std::vector<Variant> list = {{base, nullptr, 0, {}}};
-  for (const Departure& d : departures()) {
-    const bool of_null = d.in(start), is_law = d.name != "compressibility" && d.name != "capsule";
-    if (is_law && !of_null && !(law_open && base.law->name == "neo_hookean")) continue;
-    Variant v{of_null ? start : base, &d, 0, {}};
-    if (!of_null) {
-      v.amplitude = amplitude_of(d, site, base, deepest, change_share);
-      d.add(v.tissue, v.amplitude);
-    }
-    list.push_back(v);
-  }
+  std::vector<SolvedChange> list;
+  const auto add = [&](const std::string& of, double depth, const std::vector<double>& sizes) {
+    SolvedChange change;
+    change.of = of;
+    change.depth_of_it_mm = depth;
+    for (double size : sizes) change.curves.push_back({size, {}, {}});
+    list.push_back(std::move(change));
+  };
+  for (const Departure& d : departures())
+    if (!d.is_law || d.in(start) || (law_open && base.law->name == "neo_hookean")) add(d.name, 0, sizes_of(d, site, start, base, job.deepest_mm));
+  for (double depth : inclusions_mm) add("inclusion", depth, {0.4, 1.1});
   return list;
+}
+
+std::string words_of(const SolvedChange& change, double size, const Tissue& base, const SiteJob& job, double surface) {
+  if (change.of == "inclusion") return material_text(base) + inclusion_words(job.run->point_mm + (surface / norm(job.run->axis)) * job.run->axis, job.run->axis, change.depth_of_it_mm, std::expm1(size));
+  Tissue tissue = base;
+  departure_named(change.of).add(tissue, size);
+  return material_text(tissue) + (change.of == "thickness" ? thickness_words(job.set->specimen.case_file, size) : "");
 }
 
 /// The mesh with edges half as long where the tool comes: within a contact radius of its axis, and half of one deep.
@@ -61,9 +74,7 @@ fs::path refined_mesh(const SiteJob& job, const fs::path& own, double contact) {
   const Vec3 axis = (1 / norm(job.run->axis)) * job.run->axis;
   const auto along = [&](const Vec3& p) { return dot(p - job.run->point_mm, axis); };
   const auto aside = [&](const Vec3& p) { return norm(p - job.run->point_mm - along(p) * axis); };
-  double first = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : mesh.points)
-    if (aside(p) < contact) first = std::min(first, along(p));
+  const double first = surface_along(own, job.run->point_mm, axis, contact);
   std::vector<double> target(mesh.tets.size(), 0), lengths;
   std::vector<std::size_t> near;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -89,75 +100,79 @@ fs::path refined_mesh(const SiteJob& job, const fs::path& own, double contact) {
 
 /// What a mesh misses falls by a power of its edges, on graded meshes between the first and the second: after halving them at least a third of the change is still
 /// missing (Richardson 1911), which is added, and at most all of it.
-SolvedCurve extrapolated(SolvedCurve fine, const SolvedCurve& own, SiteCurve& curve) {
+SolvedCurve extrapolated(SolvedCurve finer, const SolvedCurve& own, SiteCurve& curve) {
   std::vector<double>& ratio = curve.mesh_change;
-  for (std::size_t i = 0; i < fine.depth_mm.size(); ++i) ratio.push_back(std::log(fine.force_N[i] / own.at(fine.depth_mm[i])));
-  curve.mesh_depth_mm = fine.depth_mm;
+  for (std::size_t i = 0; i < finer.depth_mm.size(); ++i) ratio.push_back(std::log(finer.force_N[i] / own.at(finer.depth_mm[i])));
+  curve.mesh_depth_mm = finer.depth_mm;
   const double n = static_cast<double>(ratio.size());
   for (double r : ratio) curve.mesh_shift += r / n;
   double squares = 0;
   for (double r : ratio) squares += (r - curve.mesh_shift) * (r - curve.mesh_shift) / n;
   curve.mesh_apart = std::sqrt(squares);
-  for (std::size_t i = 0; i < ratio.size(); ++i) fine.force_N[i] *= std::exp(ratio[i] / 3);
-  return fine;
+  for (std::size_t i = 0; i < ratio.size(); ++i) finer.force_N[i] *= std::exp(ratio[i] / 3);
+  return finer;
 }
 
-SolvedChange change_of(const Variant& v, const Variant& base, const Site& site, double deepest) {
-  const auto n = static_cast<Eigen::Index>(v.curve.depth_mm.size());
-  Eigen::MatrixXd A(n, 2);
-  Eigen::VectorXd b(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double depth = v.curve.depth_mm[i], null = elastic_force(site, base.tissue, depth), closed = elastic_force(site, v.tissue, depth) - null;
-    A.row(i) << closed, closed * depth / deepest;
-    b(i) = null * (v.curve.force_N[i] / base.curve.at(depth) - 1);
+/// What the solves of a change say; those that failed are left out.
+void tell(SolvedChange& change, const std::vector<const Variant*>& solves, const SolvedCurve& base) {
+  std::vector<SolvedChange::Curve> done;
+  for (std::size_t k = 0; k < solves.size(); ++k) {
+    if (!solves[k]->failure.empty()) {
+      change.failure = solves[k]->failure;
+      continue;
+    }
+    SolvedChange::Curve curve = change.curves[k];
+    curve.depth_mm = solves[k]->curve.depth_mm;
+    for (std::size_t i = 0; i < curve.depth_mm.size(); ++i) curve.log_ratio.push_back(std::log(solves[k]->curve.force_N[i] / base.at(curve.depth_mm[i])));
+    done.push_back(std::move(curve));
   }
-  const Eigen::Vector2d q = A.colPivHouseholderQr().solve(b);
-  const double scatter = (A * q - b).norm() / std::max(b.norm(), 1e-300);
-  if (v.amplitude > 0 && !(scatter <= followed)) return {v.of->name, v.amplitude, {0, 0}, scatter};  // not offered: the closed form says nothing of it here
-  return {v.of->name, v.amplitude, {q(0), q(1)}, scatter};
+  change.curves = std::move(done);
 }
 
 }  // namespace
 
-std::string case_without(const std::string& text, const std::vector<std::string>& tables) {
-  std::istringstream in(text);
-  std::string kept;
-  bool keep = true;
-  for (std::string line; std::getline(in, line);) {
-    const auto first = line.find_first_not_of(" \t");
-    if (first != std::string::npos && line[first] == '[')
-      keep = std::none_of(tables.begin(), tables.end(), [&](const std::string& name) { return line.find(name) != std::string::npos; });
-    if (keep) kept += line + "\n";
-  }
-  return kept;
-}
-
-fs::path mesh_of_case(const fs::path& file) { return file.parent_path() / Settings::read(file).text("mesh", "mesh.vtu"); }
-
-bool has_one_material(const fs::path& case_file) { return Settings::read(case_file).tables("material").size() == 1; }
-
 Tissue base_of_case(const Set& set, const Tissue& start) { return has_one_material(set.specimen.case_file) ? without_departures(start) : start; }
 
-SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start, bool law_open, int threads, SiteCurve& curve) {
+SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start, bool law_open, const std::vector<double>& inclusions_mm, int threads, SiteCurve& curve) {
   const fs::path& file = job.set->specimen.case_file;
   const fs::path own = mesh_of_case(file);
-  const std::string text = read_text(file);
   fs::create_directories(job.kept);
+  const double contact = std::min(std::sqrt(site.tool.radius_mm * job.deepest_mm), site.tool.radius_mm);
+  const fs::path finer = refined_mesh(job, own, contact);
+  curve.surface_mm = surface_along(own, job.run->point_mm, job.run->axis, contact);
   const bool one = has_one_material(file);
-  const std::string rest = case_without(text, one ? std::vector<std::string>{"material", "tool", "steps"} : std::vector<std::string>{"tool", "steps"});
-  auto variants = one ? variants_of(site, start, law_open, job.deepest_mm) : std::vector<Variant>{{start, nullptr, 0, {}}};
-  const fs::path finer = refined_mesh(job, own, std::min(std::sqrt(site.tool.radius_mm * job.deepest_mm), site.tool.radius_mm));
-  SolvedCurve fine;
-  const auto text_of = [&](const Variant& v) { return one ? rest + material_text(v.tissue) : rest; };
-  for_each_index(static_cast<int>(variants.size()) + 1, threads, [&](int i) {
-    if (i == 0) fine = solved(job, text_of(variants[0]), finer);
-    else variants[i - 1].curve = solved(job, text_of(variants[i - 1]), own);
+  const std::string rest = case_without(read_text(file), one ? std::vector<std::string>{"material", "tool", "steps"} : std::vector<std::string>{"tool", "steps"});
+  const Tissue base = base_of_case(*job.set, start);
+  const std::string plain = rest + (one ? material_text(base) : "");
+  if (one) curve.changes = changes_of(job, site, start, law_open, inclusions_mm);
+  std::vector<Variant> variants(2, {plain, {}, {}});
+  for (const SolvedChange& change : curve.changes)
+    for (const auto& c : change.curves) variants.push_back({rest + words_of(change, c.amplitude, base, job, curve.surface_mm), {}, {}});
+  const int count = static_cast<int>(variants.size());
+  SolvedMotion relaxed;  // left empty where it fails: springs stay as they are
+  for_each_index(count + (one ? 1 : 0), threads, [&](int i) {
+    try {
+      if (i == count) relaxed = solved_motion(job, plain + relaxing_words(), relaxing_motion(job.deepest_mm), own);
+      else variants[i].curve = solved(job, variants[i].text, i == 1 ? finer : own, i < 2 ? base_steps : base_steps / 2);
+    } catch (const Failure& failure) {
+      if (i < 2) throw;
+      if (i < count) variants[i].failure = failure.what();
+    }
   });
-  for (const Variant& v : variants)
-    if (v.of) curve.changes.push_back(change_of(v, variants.front(), site, job.deepest_mm));
-  curve.solves = static_cast<int>(variants.size()) + 1;
+  std::size_t next = 2;
+  for (SolvedChange& change : curve.changes) {
+    std::vector<const Variant*> its;
+    for (std::size_t k = 0; k < change.curves.size(); ++k) its.push_back(&variants[next++]);
+    tell(change, its, variants[0].curve);
+  }
+  if (!relaxed.t_s.empty()) {
+    const MemoryLength length = memory_length(relaxed, variants[0].curve, job.deepest_mm);
+    curve.memory_mm = length.mm;
+    curve.memory_missed = {length.before, length.after};
+  }
+  curve.solves = static_cast<int>(variants.size()) + (one ? 1 : 0);
   curve.nodes = static_cast<int>(read_mesh(finer).points.size());
-  return extrapolated(fine, variants.front().curve, curve);
+  return extrapolated(variants[1].curve, variants[0].curve, curve);
 }
 
 }  // namespace palpate::loop

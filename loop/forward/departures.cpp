@@ -1,4 +1,4 @@
-// Departures from a neo-Hookean, incompressible tissue without a skin.
+// Departures from a neo-Hookean, incompressible tissue without a skin or a pre-stress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/departures.hpp>
 
@@ -19,25 +19,32 @@ void to_neo_hookean(Tissue& tissue, const char* from) {
   tissue.law = &law_named("neo_hookean");
 }
 
+double modulus(const Tissue& t) { return t.law->shear_modulus(t.parameters); }
+
 }  // namespace
 
 const std::vector<Departure>& departures() {
   static const std::vector<Departure> list = {
-      {"fung_demiray", 5, [](Tissue& t, double e) { t.stiffening.exponential += e; },
-       [](const Tissue& t) { return t.stiffening.exponential != 0 || has_law(t, "fung_demiray"); },
+      {"fung_demiray", 5, true, [](Tissue& t, double e) { t.stiffening.exponential += e; },
+       [](const Tissue& t) { return t.stiffening.exponential + (has_law(t, "fung_demiray") ? t.parameters[1] : 0); },
        [](Tissue& t) { t.stiffening.exponential = 0, to_neo_hookean(t, "fung_demiray"); }},
-      {"mooney_rivlin", 0.9, [](Tissue& t, double e) { t.stiffening.second += e; },
-       [](const Tissue& t) { return t.stiffening.second != 0 || has_law(t, "mooney_rivlin"); },
+      {"mooney_rivlin", 0.9, true, [](Tissue& t, double e) { t.stiffening.second += e; },
+       [](const Tissue& t) { return t.stiffening.second + (has_law(t, "mooney_rivlin") ? t.parameters[1] / (t.parameters[0] + t.parameters[1]) : 0); },
        [](Tissue& t) { t.stiffening.second = 0, to_neo_hookean(t, "mooney_rivlin"); }},
-      {"yeoh_C20", 5, [](Tissue& t, double e) { t.stiffening.square += e; }, [](const Tissue& t) { return t.stiffening.square != 0; },
+      {"yeoh_C20", 5, true, [](Tissue& t, double e) { t.stiffening.square += e; }, [](const Tissue& t) { return t.stiffening.square; },
        [](Tissue& t) { t.stiffening.square = 0; }},
-      {"yeoh_C30", 5, [](Tissue& t, double e) { t.stiffening.cube += e; }, [](const Tissue& t) { return t.stiffening.cube != 0; },
+      {"yeoh_C30", 5, true, [](Tissue& t, double e) { t.stiffening.cube += e; }, [](const Tissue& t) { return t.stiffening.cube; },
        [](Tissue& t) { t.stiffening.cube = 0; }},
-      {"ogden", 20, [](Tissue& t, double e) { t.stiffening.power += e; }, [](const Tissue& t) { return t.stiffening.power != 0 || has_law(t, "ogden"); },
+      {"ogden", 20, true, [](Tissue& t, double e) { t.stiffening.power += e; },
+       [](const Tissue& t) { return t.stiffening.power + (has_law(t, "ogden") ? t.parameters[1] - 2 : 0); },
        [](Tissue& t) { t.stiffening.power = 0, to_neo_hookean(t, "ogden"); }},
-      {"compressibility", 0.1, [](Tissue& t, double e) { t.nu -= e; }, [](const Tissue& t) { return t.nu != 0.5; }, [](Tissue& t) { t.nu = 0.5; }},
-      {"capsule", 100, [](Tissue& t, double e) { t.capsule_N_per_mm += e; }, [](const Tissue& t) { return t.capsule_N_per_mm != 0; },
-       [](Tissue& t) { t.capsule_N_per_mm = 0; }}};
+      {"compressibility", 0.15, false, [](Tissue& t, double e) { t.nu -= e; }, [](const Tissue& t) { return 0.5 - t.nu; }, [](Tissue& t) { t.nu = 0.5; }},
+      {"capsule", 100, false, [](Tissue& t, double e) { t.capsule_N_per_mm += e * modulus(t); }, [](const Tissue& t) { return t.capsule_N_per_mm / modulus(t); },
+       [](Tissue& t) { t.capsule_N_per_mm = 0; }},
+      {"prestress", 2, false, [](Tissue& t, double e) { t.turgor_MPa += e * modulus(t); }, [](const Tissue& t) { return t.turgor_MPa / modulus(t); },
+       [](Tissue& t) { t.turgor_MPa = 0; }},
+      {"thickness", 1, false, [](Tissue& t, double e) { t.thickness_factor *= 1 + e; }, [](const Tissue& t) { return t.thickness_factor - 1; },
+       [](Tissue& t) { t.thickness_factor = 1; }}};
   return list;
 }
 
@@ -54,6 +61,7 @@ double amplitude_of(const Departure& departure, const Site& site, const Tissue& 
     return std::abs(elastic_force(site, with, depth) / without - 1);
   };
   double low = 0, high = 1e-6 * departure.most;
+  if (change(departure.most) < 0.1 * share) return share;
   while (high < departure.most && change(high) < share) high *= 2;
   high = std::min(high, departure.most);
   for (int i = 0; i < 40 && change(high) > share; ++i) {
@@ -93,6 +101,7 @@ std::string material_text(const Tissue& tissue) {
     if (tissue.law->name == "ogden") out << no_further_terms;
   }
   if (tissue.nu != 0.5) out << "kappa = " << 2 * mu * (1 + tissue.nu) / (3 * (1 - 2 * tissue.nu)) << "\n";
+  if (tissue.turgor_MPa != 0) out << "[[effect]]\nname = \"prestress\"\np_kPa = " << 1e3 * tissue.turgor_MPa << "\n";
   if (tissue.capsule_N_per_mm != 0) out << "[[effect]]\nname = \"capsule\"\nE_h = " << tissue.capsule_N_per_mm << "\n";
   return out.str();
 }

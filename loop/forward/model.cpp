@@ -90,6 +90,17 @@ void add_friction(const Site& site, const Tissue& tissue, const Path& depth, Pat
   }
 }
 
+/// Of the inclusions under this place that were solved; the tissue loses them.
+double of_inclusions(const SolvedChange& change, const Site& site, Tissue& tissue, double depth) {
+  double log_ratio = 0;
+  std::erase_if(tissue.inclusions, [&](const Inclusion& i) {
+    const bool here = norm(i.point_mm - site.point_mm) < 0.5 && i.depth_mm == change.depth_of_it_mm;
+    if (here) log_ratio += change.log_ratio(std::log1p(i.excess), depth);
+    return here;
+  });
+  return log_ratio;
+}
+
 /// Linear between the solved depths, beyond them as at them.
 double mesh_change(const SiteCurve& curve, double depth) {
   const auto& at = curve.mesh_depth_mm;
@@ -192,20 +203,49 @@ const SiteCurve* Forward::correction(const Run& run) const {
   return nullptr;
 }
 
+namespace {
+
+/// Effects of the row of springs whose amplitude a tissue has once.
+const std::map<std::string, double Tissue::*>& sized() {
+  static const std::map<std::string, double Tissue::*> members = {{"mullins", &Tissue::mullins}, {"permanent_set", &Tissue::set_fraction}, {"rate", &Tissue::rate},
+                                                                  {"friction", &Tissue::friction}, {"adhesion", &Tissue::adhesion_J_per_m2}};
+  return members;
+}
+
+}  // namespace
+
+bool Forward::resize(const std::string& effect, double size) {
+  if (!sized().contains(effect)) return false;
+  for (SiteCurve& c : corrections_) c.sizes.push_back({effect, size});
+  return !corrections_.empty();
+}
+
+Tissue Forward::tissue_at(const Run& run, const Model& model) const {
+  Tissue tissue = tissue_of(model);
+  if (const SiteCurve* c = correction(run))
+    for (const SolvedSize& size : c->sizes) tissue.*sized().at(size.of) *= size.size;
+  tissue.mullins = std::min(tissue.mullins, 0.98);
+  tissue.set_fraction = std::min(tissue.set_fraction, 0.98);
+  return tissue;
+}
+
 double Forward::elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const {
-  const double closed = elastic_force(site, tissue, depth);
   const SiteCurve* c = correction(run);
-  if (!c) return closed;
+  if (!c) return elastic_force(site, tissue, depth);
+  if (!(depth > 0)) return 0;
   const double x = std::min(depth / c->deepest_mm, 1.0);
-  double force = closed;
+  Tissue base = tissue;
+  double log_ratio = 0;
   for (const SolvedChange& change : c->changes) {
+    if (change.of == "inclusion") {
+      log_ratio += of_inclusions(change, site, base, depth);
+      continue;
+    }
     const Departure& departure = departure_named(change.of);
-    if (!departure.in(tissue)) continue;
-    Tissue without = tissue;
-    departure.remove(without);
-    force += (change.factor[0] + x * change.factor[1] - 1) * (closed - elastic_force(site, without, depth));
+    log_ratio += change.log_ratio(departure.amplitude(tissue), depth);
+    departure.remove(base);
   }
-  return force * (c->factor[0] + x * (c->factor[1] + x * c->factor[2]));
+  return std::exp(log_ratio) * elastic_force(site, base, depth) * (c->factor[0] + x * (c->factor[1] + x * c->factor[2]));
 }
 
 /// What gives way in series is found by going over it four times: a clamp's rig gives way by far less than the wall.
@@ -245,7 +285,7 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
     for (int i = 0; i <= springs; ++i) forces[i] *= std::exp(model.mesh_form * mesh_change(*solved, depths[i]));
   auto list = springs_of(depths, forces);
   add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
-  Row row(std::move(list), tissue, scale_, true);
+  Row row(std::move(list), tissue, scale_, true, solved ? solved->memory_mm : 0);
   const double in_series = compliance + tissue.support_mm_per_N;
   Path force = row_forces(run, row, depth, in_series);
   for (std::size_t i = 0; i < depth.size(); ++i) depth[i] -= in_series * force[i];
@@ -255,7 +295,7 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
 
 Forward::Pressed Forward::pressed(std::size_t r, const Model& model) const {
   const Run& run = set_->runs[r];
-  const Tissue tissue = tissue_of(model);
+  const Tissue tissue = tissue_at(run, model);
   Pressed p{run.u, {}};
   double compliance = model.compliance_mm_per_N, zero = 0;
   if (run.zero == "tool_start") zero = -model.zero_mm;
@@ -276,7 +316,7 @@ Forward::Pressed Forward::pressed(std::size_t r, const Model& model) const {
 }
 
 Path Forward::pressed_along(std::size_t r, const Model& model, Path depth) const {
-  Tissue tissue = tissue_of(model);
+  Tissue tissue = tissue_at(set_->runs[r], model);
   tissue.support_mm_per_N = 0;
   Path force = tissue_force(set_->runs[r], model, tissue, depth, 0);
   add_rate(set_->runs[r], tissue, depth, scale_, force);

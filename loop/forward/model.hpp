@@ -66,9 +66,13 @@ class Forward {
   /// From now on the closed form of runs with this tool and point is multiplied by the curve's factor at x = depth/deepest (beyond it as at it), and the changes by departures that
   /// were solved are multiplied by theirs: what solves of that site say about the closed form.
   void correct(SiteCurve curve) { corrections_.push_back(std::move(curve)); }
+  /// From now on the row takes `size` times the solver's amplitude of this effect, at every place with a curve of its own. False: it has no such effect, or there is no such place.
+  bool resize(const std::string& effect, double size);
 
  private:
   const SiteCurve* correction(const Run& run) const;
+  /// Of the model, with sizes as the row needs them at this place.
+  Tissue tissue_at(const Run& run, const Model& model) const;
   double elastic(const Run& run, const Site& site, const Tissue& tissue, double depth) const;
   /// `depth` of the tool becomes that of the tissue, where something gives way in series.
   Path clamped_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const;

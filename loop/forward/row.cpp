@@ -1,4 +1,4 @@
-// One step of every spring: Maxwell branches, softening by the largest elongation so far, set, letting go.
+// One step of every spring (elongations are those of S where there is a length): Maxwell branches, softening by the largest elongation so far, set, letting go.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/row.hpp>
 
@@ -32,8 +32,8 @@ namespace {
 constexpr std::size_t most_terms = 8;
 }
 
-Row::Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go)
-    : springs_(std::move(springs)), tissue_(tissue), scale_(scale), instant_(1), lets_go_(lets_go),
+Row::Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go, double memory_mm)
+    : springs_(std::move(springs)), tissue_(tissue), scale_(scale), instant_(1), per_length_(memory_mm > 0 && !tissue.prony.empty() ? 1 / memory_mm : 0), lets_go_(lets_go),
       has_memory_(!tissue.prony.empty() || tissue.mullins > 0 || tissue.set_fraction > 0), kept_(tissue.prony.size()), gained_(tissue.prony.size()) {
   for (const PronyTerm& term : tissue_.prony) instant_ -= term.g;
   stiffness_sum_ = moment_sum_ = {0};
@@ -92,7 +92,8 @@ double Row::step(std::size_t i, Memory& m, double* maxwell, double depth) const 
   const Memory before = m;
   double old[most_terms];
   const std::size_t terms = kept_.size();
-  m.elongation = lets_go_ ? depth - spring.start : depth;
+  const double stretched = lets_go_ ? depth - spring.start : depth, larger = 1 + over_length(stretched);
+  m.elongation = stretched * larger;
   for (std::size_t k = 0; k < terms; ++k) {
     old[k] = maxwell[k];
     maxwell[k] = kept_[k] * maxwell[k] + gained_[k] * (m.elongation - before.elongation);
@@ -101,7 +102,7 @@ double Row::step(std::size_t i, Memory& m, double* maxwell, double depth) const 
   const double bears = spring.reach > 0 && (before.touching || !tissue_.adhesion_on_retract_only) ? -spring.reach : 0;
   if (!lets_go_ || force > bears) {
     m.touching = true;
-    return spring.stiffness * force;
+    return spring.stiffness * force / larger;
   }
   m = before;  // free: the elongation at which it carries nothing, instant e + Σ g (kept q + gained (e − e₀)) = set
   double constant = -before.set, slope = instant_;
@@ -129,8 +130,9 @@ double Row::advance_relaxing(double depth) {
   const std::size_t n = touched_, all = springs_.size();
   double slope = instant_;
   for (std::size_t i = 0; i < n; ++i) {
-    change_[i] = depth - start_[i] - elongation_[i];
-    sum_[i] = instant_ * (depth - start_[i]);
+    const double stretched = depth - start_[i], S = stretched * (1 + over_length(stretched));
+    change_[i] = S - elongation_[i];
+    sum_[i] = instant_ * S;
     free_[i] = 0;
   }
   for (std::size_t k = 0; k < kept_.size(); ++k) {
@@ -145,7 +147,7 @@ double Row::advance_relaxing(double depth) {
   double force = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool is_free = !(sum_[i] > 0);
-    force += is_free ? 0 : springs_[i].stiffness * sum_[i];
+    force += is_free ? 0 : springs_[i].stiffness * sum_[i] / (1 + over_length(depth - start_[i]));
     change_[i] = is_free ? -free_[i] / slope - elongation_[i] : change_[i];
     elongation_[i] += change_[i];
   }

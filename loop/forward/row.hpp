@@ -2,6 +2,8 @@
 // w_i = F″(δ_i) Δδ, so that Σ w_i (δ − δ_i)₊ is the elastic curve F(δ) itself; every spring has the tissue's memory for itself.
 // For Hertz' curve this is the method of dimensionality reduction, exact for any history of a viscoelastic half-space, unloading
 // included (Popov and Heß 2015, ch. 7; Ting 1966; Argatov and Popov 2016). For layers and finite strain it is a shortcut.
+// At large strain stress is remembered as the second Piola-Kirchhoff one S, which the solid bears on λ of what it was: with a length ℓ a spring of elongation e has
+// S = e (1 + e/ℓ), λ = 1/(1 + e/ℓ), S relaxes and λ S presses, so that what has relaxed is missed the more the further the tool is drawn back (decision 045).
 // A homogeneous test is a row of one spring that never lets go, its elongation being the elastic stress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -27,8 +29,8 @@ void add_adhesion(std::vector<Spring>& springs, double work_J_per_m2, double red
 class Row {
  public:
   /// `scale` is the deepest elongation of the set: Mullins' scale and the yield of permanent set are relative to it. `lets_go`: springs
-  /// carry no tension beyond their reach. `springs` stand in order of their start.
-  Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go);
+  /// carry no tension beyond their reach. `springs` stand in order of their start. `memory_mm`: ℓ of a tissue that relaxes; 0: none.
+  Row(std::vector<Spring> springs, const Tissue& tissue, double scale, bool lets_go, double memory_mm = 0);
   /// The force after a further `dt` when the tool goes straight to `depth`; nothing is remembered.
   double trial(double depth, double dt) const;
   /// The same, remembered.
@@ -40,6 +42,7 @@ class Row {
     bool touching = false;
   };
   double elastic(double depth) const;
+  double over_length(double elongation) const { return elongation > 0 ? elongation * per_length_ : 0; }
   bool only_relaxes() const { return lets_go_ && !has_reach_ && !(tissue_.mullins > 0) && !(tissue_.set_fraction > 0); }
   double carried(Memory& after, const double* maxwell) const;
   double step(std::size_t i, Memory& after, double* maxwell, double depth) const;
@@ -53,7 +56,7 @@ class Row {
   std::vector<double> maxwell_;  ///< elastic elongation of each Prony term, springs × terms; terms × springs where nothing else remembers
   std::vector<double> start_, elongation_, change_, sum_, free_;  ///< of each spring, for advance_relaxing
   const Tissue tissue_;
-  double scale_, instant_;
+  double scale_, instant_, per_length_;
   bool lets_go_, has_memory_, has_reach_ = false;
   std::size_t touched_ = 0;  ///< springs from here on have never been touched
   mutable double prepared_ = -1;

@@ -16,12 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string tool_text(const Tool& tool, const Run& run, double depth) {
+std::string tool_text(const Tool& tool, const Run& run) {
   std::ostringstream out;
   out.precision(12);
   out << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = [" << run.point_mm[0] << ", " << run.point_mm[1] << ", "
-      << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2] << "]\ndepth_mm = " << depth
-      << "\n[steps]\ncount = 14\nkeep_partial = true\nframes = 1\n";
+      << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2] << "]\n";
   return out.str();
 }
 
@@ -36,8 +35,8 @@ double SolvedCurve::at(double depth) const {
   return ((1 - t) * bent(i - 1) + t * bent(i)) * std::pow(depth, 1.5);
 }
 
-SolvedCurve solved(const SiteJob& job, const std::string& text, const fs::path& mesh) {
-  const std::string the_case = text + tool_text(job.set->tools.at(job.run->tool), *job.run, job.deepest_mm);
+SolvedMotion solved_motion(const SiteJob& job, const std::string& text, const std::string& motion, const fs::path& mesh) {
+  const std::string the_case = text + tool_text(job.set->tools.at(job.run->tool), *job.run) + motion;
   const fs::path folder = job.kept / sha256_of_bytes(the_case + sha256(mesh) + sha256(job.solver)).substr(0, 16), result = folder / "result", log = folder / "log.txt";
   if (!fs::exists(result / "history.csv")) {
     fs::create_directories(folder);
@@ -46,12 +45,19 @@ SolvedCurve solved(const SiteJob& job, const std::string& text, const fs::path& 
     if (code != 0) throw Failure(ExitCode::not_converged, "the solver fails for tool " + job.run->tool + ": " + read_text(log), job.set->file.string(), "--forward closed");
   }
   const CsvTable history = read_csv(result / "history.csv");
+  return {history.numbers("t", "s"), history.numbers("depth", "mm"), history.numbers("F", "N")};
+}
+
+SolvedCurve solved(const SiteJob& job, const std::string& text, const fs::path& mesh, int steps) {
+  std::ostringstream motion;
+  motion.precision(12);
+  motion << "depth_mm = " << job.deepest_mm << "\n[steps]\ncount = " << steps << "\nkeep_partial = true\nframes = 1\n";
+  const SolvedMotion all = solved_motion(job, text, motion.str(), mesh);
   SolvedCurve curve;
-  const auto depth = history.numbers("depth", "mm"), force = history.numbers("F", "N");
-  for (std::size_t i = 0; i < depth.size(); ++i)
-    if (depth[i] > 0 && force[i] > 0) {
-      curve.depth_mm.push_back(depth[i]);
-      curve.force_N.push_back(force[i]);
+  for (std::size_t i = 0; i < all.depth_mm.size(); ++i)
+    if (all.depth_mm[i] > 0 && all.force_N[i] > 0) {
+      curve.depth_mm.push_back(all.depth_mm[i]);
+      curve.force_N.push_back(all.force_N[i]);
     }
   if (curve.depth_mm.size() < 4 || !(curve.depth_mm.back() >= 0.6 * job.deepest_mm))
     throw Failure(ExitCode::not_converged, "the solver reaches too little depth with tool " + job.run->tool, job.set->file.string(), "--forward closed");

@@ -22,8 +22,15 @@ struct SiteJob {
   std::filesystem::path solver, kept;
 };
 
-/// Solves case text (without tool and steps) on a mesh, unless the folder `kept` has this very solve by this very program. One thread. Throws Failure(not_converged) naming
-/// the tool when it fails or does not reach 60 % of its depth.
-SolvedCurve solved(const SiteJob& job, const std::string& text, const std::filesystem::path& mesh);
+struct SolvedMotion {
+  std::vector<double> t_s, depth_mm, force_N;
+};
+
+/// Solves case text (without tool and steps) on a mesh along `motion` (the tool's way and [steps]), unless the folder `kept` has this very solve by this very program. One thread.
+/// Throws Failure(not_converged) naming the tool when it fails.
+SolvedMotion solved_motion(const SiteJob& job, const std::string& text, const std::string& motion, const std::filesystem::path& mesh);
+
+/// The same straight down to the deepest point; it throws, too, when 60 % of the depth are not reached.
+SolvedCurve solved(const SiteJob& job, const std::string& text, const std::filesystem::path& mesh, int steps = 14);
 
 }  // namespace palpate::loop

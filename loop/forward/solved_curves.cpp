@@ -11,6 +11,7 @@
 #include <palpate/errors.hpp>
 #include <loop/forward/case_curve.hpp>
 #include <loop/forward/departures.hpp>
+#include <loop/forward/register.hpp>
 #include <loop/forward/shape_mesh.hpp>
 #include <loop/methods/session.hpp>
 #include <loop/methods/thresholds.hpp>
@@ -54,6 +55,16 @@ std::string place_name(const Set& set, const Run& run, double deepest) {
   for (int i = 0; i < 3; ++i) all << " " << run.point_mm[i] << " " << run.axis[i];
   all << " " << set.tools.at(run.tool).kind << " " << set.tools.at(run.tool).radius_mm << " " << deepest;
   return "place-" + sha256_of_bytes(all.str()).substr(0, 12);
+}
+
+/// Depths at which the catalogue asks for an inclusion under this place.
+std::vector<double> inclusions_under(const Set& set, const Vec3& point) {
+  std::vector<double> depths;
+  for (const Effect& effect : all_effects())
+    if (effect.entry.name == "inclusion")
+      for (const auto& shape : effect.grid_of(set))
+        if (norm(Vec3{shape[0], shape[1], shape[2]} - point) < 0.5) depths.push_back(shape[3]);
+  return depths;
 }
 
 /// Least squares of solved over closed force, weighted by the force.
@@ -108,8 +119,10 @@ std::vector<SiteCurve> solved_curves(const Set& set, const fs::path& solver, con
     const SiteJob job{&set, &run, curve.deepest_mm, solver, kept / place_name(set, run, curve.deepest_mm)};
     fs::create_directories(job.kept);
     const Site site = forward.site(run);
-    if (is_case) fit_factor(site, base_of_case(set, start), solve_case(job, site, start, law_unknown || start.law->name == "neo_hookean", threads, curve), curve);
-    else fit_factor(site, start, solved_shape(job, site, start, curve), curve);
+    if (is_case)
+      fit_factor(site, base_of_case(set, start), solve_case(job, site, start, law_unknown || start.law->name == "neo_hookean", inclusions_under(set, run.point_mm), threads, curve), curve);
+    else
+      fit_factor(site, start, solved_shape(job, site, start, curve), curve);
     curves.push_back(curve);
   }
   return curves;

@@ -30,6 +30,7 @@ struct Tissue {
   double nu = 0.5;
   double thickness_factor = 1;
   double tension_N_per_mm = 0;   ///< of a thin skin, or of the tissue under it
+  double turgor_MPa = 0;         ///< tension all through the tissue, which a pressure in it balances; known from solves only
   double capsule_N_per_mm = 0;   ///< E h of a thin elastic skin
   std::vector<Inclusion> inclusions;
   std::vector<Zone> zones;       ///< of a clamped tube

@@ -209,7 +209,7 @@ void choose_law(Session& s) {
     if (law.parameters.size() > 2 || law.name == "hooke_linear") continue;
     const Fit fit = best_fit(s.problem, start_model(*s.set, law.name));
     const double excess = left_out_excess(s.problem, fit.model, s.threads);
-    s.laws.push_back({law.name, std::isnan(excess) ? fit.chi2 + 2 * law.parameters.size() : excess});
+    s.laws.push_back({law.name, std::isnan(excess) ? fit.chi2 + 2 * law.parameters.size() : excess, fit.model});
   }
 }
 

@@ -12,6 +12,7 @@ namespace palpate::loop {
 struct LawTried {
   std::string law;
   double left_out_error = 0;
+  Model model;  ///< fitted to all runs
 };
 
 struct Session {

@@ -257,8 +257,9 @@ void run_of_run(Command& c) {
   c.say("null model and noise");
   const auto curves = curves_of(c, set);
   loop::tell_mesh_errors(curves, set);
-  const loop::Searched s = searched(c, set, curves, c.output("result"));
-  const loop::Confirmation confirmation = confirmed(c, s);
+  loop::Searched s = searched(c, set, curves, c.output("result"));
+  loop::Confirmation confirmation = confirmed(c, s);
+  loop::take_size(s.session, s.finding, confirmation);
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
   report["solves"] = std::accumulate(curves.begin(), curves.end(), confirmation.solves, [](int sum, const loop::SiteCurve& curve) { return sum + curve.solves; });

@@ -6,14 +6,14 @@
 #include <sstream>
 
 #include <palpate/text_file.hpp>
-#include <loop/forward/case_curve.hpp>
+#include <loop/forward/case_words.hpp>
 #include <loop/forward/departures.hpp>
 
 namespace palpate::loop {
 namespace {
 
 struct Parts {
-  std::ostringstream law, bulk, effects, tool, comments;
+  std::ostringstream law, bulk, effects, comments;
 };
 
 /// A law that a stiffening turns the null into, where the solver has it.
@@ -25,25 +25,34 @@ bool write_stiffened(const Model& model, const Active& a, Parts& parts) {
   return true;
 }
 
+/// The inclusion lies under the place of a run, whose axis leads to it.
+std::string inclusion_at(const Session& s, const Active& a) {
+  const Vec3 point{a.shape[0], a.shape[1], a.shape[2]};
+  for (const Run& run : s.set->runs)
+    if (norm(run.point_mm - point) < 0.5) {
+      const double R = s.set->tools.at(run.tool).radius_mm, surface = surface_along(mesh_of_case(s.set->specimen.case_file), run.point_mm, run.axis, R);
+      return inclusion_words(run.point_mm + (surface / norm(run.axis)) * run.axis, run.axis, a.shape[3], a.amplitude);
+    }
+  return "";
+}
+
 /// One effect as a table or as a key of material or tool; false: the solver has nothing that means the same. `strain` is the representative one at the deepest point.
 bool write_effect(const Session& s, const Model& model, const Active& a, double strain, Parts& parts) {
   const std::string& name = a.effect->entry.name;
   const double mu = model.law->shear_modulus(model.parameters), e = a.amplitude;
   if (name == "stiffening") return write_stiffened(model, a, parts);
-  if (name == "prony") {
-    parts.effects << "[[effect]]\nname = \"prony\"\ng = " << e << "\ntau_s = " << a.shape[0] << "\n";
-  } else if (name == "mullins") {  // ½ e² of a spring at the deepest point stands for the energy 3/2 μ ε²
-    parts.effects << "[[effect]]\nname = \"mullins\"\ninverse_r = " << e << "\nm = " << 2 * a.shape[0] * a.shape[0] * 1.5 * mu * strain * strain << "\n";
-  } else if (name == "rate") {
-    parts.effects << "[[effect]]\nname = \"rate\"\nm = " << e << "\nrate_0 = " << a.shape[0] * strain << "\n";
-  } else if (name == "permanent_set") {
-    parts.effects << "[[effect]]\nname = \"permanent_set\"\nfraction = " << e << "\nyield = " << a.shape[0] * strain << "\n";
+  if (const std::string words = memory_words(name, e, a.shape, mu, strain); !words.empty()) {
+    parts.effects << words;
   } else if (name == "capsule") {
     parts.effects << "[[effect]]\nname = \"capsule\"\nE_h = " << e << "\n";
   } else if (name == "thickness" && s.set->specimen.case_file.empty()) {  // a case does not say where its base is
     parts.effects << "[[effect]]\nname = \"thickness\"\nexcess = " << e << "\naxis_x = 0\naxis_y = 0\naxis_z = 1\n";
-  } else if (name == "friction") {
-    parts.tool << "friction = " << e << "\n";
+  } else if (name == "thickness") {
+    parts.effects << thickness_words(s.set->specimen.case_file, e);
+  } else if (name == "prestress" && a.shape[0] > 0) {
+    parts.effects << "[[effect]]\nname = \"prestress\"\np_kPa = " << 1e3 * e << "\n";
+  } else if (name == "inclusion" && !s.set->specimen.case_file.empty()) {
+    parts.effects << inclusion_at(s, a);
   } else if (name == "compressibility" && e > 0) {
     parts.bulk << "kappa = " << 2 * mu * (1.5 - e) / (3 * 2 * e) << "\n";
   } else {
@@ -59,10 +68,6 @@ void write_comment(const Active& a, Parts& parts) {
   parts.comments << " (" << a.effect->entry.kind << ")\n";
 }
 
-double representative_strain_of(const Session& s, const Run& run) {
-  return 0.2 * std::sqrt(std::min(s.depth_scale_mm / s.set->tools.at(run.tool).radius_mm, 1.0));
-}
-
 }  // namespace
 
 bool in_case(const Session& s, const Model& model, const Active& a) {
@@ -73,9 +78,9 @@ bool in_case(const Session& s, const Model& model, const Active& a) {
 std::string case_text(const Session& s, const Model& model, const Run& run, const std::string& motion) {
   const Specimen& specimen = s.set->specimen;
   const Tool& tool = s.set->tools.at(run.tool);
-  const double strain = representative_strain_of(s, run);
+  const double strain = representative_strain_at(s.depth_scale_mm, s.set->tools.at(run.tool).radius_mm);
   Parts parts;
-  for (std::ostringstream* out : {&parts.law, &parts.bulk, &parts.effects, &parts.tool, &parts.comments}) out->precision(8);
+  for (std::ostringstream* out : {&parts.law, &parts.bulk, &parts.effects, &parts.comments}) out->precision(8);
   bool law_written = false;
   for (const Active& a : model.active) {
     const bool is_law = a.effect->entry.name == "stiffening";
@@ -99,7 +104,7 @@ std::string case_text(const Session& s, const Model& model, const Run& run, cons
     out << case_without(read_text(specimen.case_file), {"material", "tool", "steps"});
   out << parts.law.str() << parts.bulk.str() << parts.effects.str() << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = ["
       << run.point_mm[0] << ", " << run.point_mm[1] << ", " << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2]
-      << "]\n" << parts.tool.str() << motion;
+      << "]\n" << motion;
   return out.str();
 }
 

@@ -182,10 +182,22 @@ Confirmation confirmed(const Session& s, const Model& model, const fs::path& sol
   return c;
 }
 
+void take_size(Session& s, Finding& f, Confirmation& c) {
+  if (s.set->specimen.case_file.empty() || c.solves == 0 || !c.failure.empty() || c.effects.size() != 1 || !(c.apart <= thresholds::confirm_share) || !(c.ratio > 0.2 && c.ratio < 5)) return;
+  if (!s.forward->resize(c.effects.front(), c.ratio)) return;
+  Model start = f.final.model;
+  for (Active& a : start.active)
+    if (a.effect->entry.name == c.effects.front()) a.amplitude /= c.ratio;
+  f.final = fitted(s.problem, start);
+  f.reported_after = with_equal_weights(s, f.final.model);
+  c.taken = c.ratio;
+  c.ratio = 1;
+}
+
 Json confirmation_json(const Confirmation& c) {
   Json json = {{"confirmed", c.confirmed()}, {"effects", c.effects}, {"of_rig_or_tool", c.observed}, {"not_in_solver", c.left_out}};
   if (!c.failure.empty()) json["failure"] = c.failure;
-  if (c.solves > 0) json.update({{"run", c.run}, {"solver_over_shortcut", c.ratio}, {"apart", c.apart}, {"nodes", c.nodes}, {"solves", c.solves}});
+  if (c.solves > 0) json.update({{"run", c.run}, {"solver_over_shortcut", c.ratio}, {"apart", c.apart}, {"size_taken", c.taken}, {"nodes", c.nodes}, {"solves", c.solves}});
   return json;
 }
 
@@ -198,8 +210,8 @@ std::string told(const Confirmation& c) {
   if (c.effects.empty() && c.left_out.empty()) return "";
   if (!c.left_out.empty() && c.effects.empty()) return "not confirmed in the solver, which has nothing that means the same: " + list(c.left_out);
   if (!c.failure.empty()) return "not confirmed in the solver: " + c.failure.substr(0, c.failure.find('\n'));
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "%.2f times as much as in the quick model, and otherwise in course by %.0f %%", c.ratio, 100 * c.apart);
+  char numbers[200];
+  std::snprintf(numbers, sizeof numbers, "%.2f times as much as in the quick model%s, and otherwise in course by %.0f %%", c.ratio * c.taken, c.taken != 1 ? ", which took that size and was fitted anew" : "", 100 * c.apart);
   return list(c.effects) + (c.confirmed() ? " confirmed in the solver" : " not confirmed in the solver") + " (run " + c.run + "): there the force changes " + numbers +
          (c.left_out.empty() ? "" : "; not put to it: " + list(c.left_out));
 }

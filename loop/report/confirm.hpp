@@ -5,7 +5,7 @@
 #include <functional>
 
 #include <palpate/json.hpp>
-#include <loop/methods/session.hpp>
+#include <loop/methods/search.hpp>
 
 namespace palpate::loop {
 
@@ -18,6 +18,7 @@ struct Confirmation {
   std::string failure;                ///< what stopped the solver; empty: nothing
   double ratio = 1;                   ///< least squares: the solver's change over the shortcut's
   double apart = 0;                   ///< what that leaves of the solver's change (rms, relative)
+  double taken = 1;                   ///< size that the row has taken from the solver; `ratio` is what is left of it
   int nodes = 0, solves = 0;
   /// The solver was asked, and says the same within thresholds::confirm_share; or nothing needed to be asked.
   bool confirmed() const;
@@ -27,6 +28,10 @@ struct Confirmation {
 /// with the same mesh without effect. Empty `solver`: nothing is solved.
 Confirmation confirmed(const Session& session, const Model& model, const std::filesystem::path& solver, const std::filesystem::path& scratch, int threads,
                        const std::function<void(const std::string&)>& remark);
+
+/// Where what was found has the solver's course but not its size, in a case: the row takes the solver's size, and everything is fitted anew to the runs. The confirmation then tells
+/// of the size that is left, to first order none.
+void take_size(Session& session, Finding& finding, Confirmation& confirmation);
 
 Json confirmation_json(const Confirmation& confirmation);
 

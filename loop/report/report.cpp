@@ -198,16 +198,33 @@ Json plan_json(const Session& s, const Finding& f) {
   return list;
 }
 
+namespace {
+
+/// Every law that was tried, with its error over the fitted runs and its force on the way down in the first one.
+Json laws_json(const Session& s) {
+  const std::size_t first = s.problem.runs.front();
+  const auto u = s.forward->averaged(first, s.set->runs[first].u);
+  Eigen::Index deepest = 0;
+  u.maxCoeff(&deepest);
+  Json list = Json::array();
+  for (const LawTried& l : s.laws) {
+    Json curve = Json::array();
+    const auto force = s.forward->predicted(first, l.model);
+    for (Eigen::Index b = 0; b <= deepest; ++b) curve.push_back({u(b), force(b)});
+    list.push_back({{"law", l.law}, {"left_out_excess", l.left_out_error}, {"percent", error_of(s, l.model, Role::fit).percent}, {"run", s.set->runs[first].id}, {"first_loading", curve}});
+  }
+  return list;
+}
+
+}  // namespace
+
 Json report_json(const Session& s, const Finding& f, int looks) {
   Json json;
   json["unit"] = unit_in(s, "N");
   json["schema"] = "palpate-loop-report/1";
   json["specimen"] = s.set->specimen.id;
   json["law"] = s.null.model.law->name;
-  if (!s.laws.empty()) {
-    json["laws_tried"] = Json::array();
-    for (const LawTried& l : s.laws) json["laws_tried"].push_back({{"law", l.law}, {"left_out_excess", l.left_out_error}});
-  }
+  if (!s.laws.empty()) json["laws_tried"] = laws_json(s);
   json["verdict"] = verdict_json(s, f);
   json["error"] = {{"before", errors_json(s, f.reported_before)}, {"after", errors_json(s, f.reported_after)}};
   json["sealed_looks"] = error_of(s, s.null.model, Role::holdout).runs > 0 ? looks + 1 : 0;
@@ -252,10 +269,15 @@ Json solves_json(const std::vector<SiteCurve>& curves) {
   Json list = Json::array();
   for (const auto& curve : curves) {
     Json changes = Json::array();
-    for (const auto& change : curve.changes)
-      changes.push_back({{"of", change.of}, {"amplitude", change.amplitude}, {"solved_over_closed", change.factor}, {"scatter", change.scatter}});
+    for (const auto& change : curve.changes) {
+      Json solved = Json::array();  // the force with it over that without, half way down and at the deepest
+      for (const auto& c : change.curves) solved.push_back({{"amplitude", c.amplitude}, {"half_way", std::exp(c.at(0.5 * curve.deepest_mm))}, {"deepest", std::exp(c.at(curve.deepest_mm))}});
+      changes.push_back({{"of", change.of}, {"solved", solved}});
+      if (change.of == "inclusion") changes.back()["depth_mm"] = change.depth_of_it_mm;
+      if (!change.failure.empty()) changes.back()["failure"] = change.failure;
+    }
     list.push_back({{"tool", curve.tool}, {"point_mm", curve.point_mm}, {"deepest_mm", curve.deepest_mm}, {"solved_over_closed", curve.factor},
-                    {"scatter", curve.scatter}, {"finer_mesh_shift", curve.mesh_shift}, {"finer_mesh_apart", curve.mesh_apart}, {"nodes", curve.nodes}, {"solves", curve.solves}, {"changes", changes}});
+                    {"scatter", curve.scatter}, {"finer_mesh_shift", curve.mesh_shift}, {"finer_mesh_apart", curve.mesh_apart}, {"memory_mm", curve.memory_mm}, {"memory_missed", curve.memory_missed}, {"nodes", curve.nodes}, {"solves", curve.solves}, {"changes", changes}});
   }
   return list;
 }

@@ -197,6 +197,33 @@ std::string next_html(const Json& report) {
   return "<p><b>" + escaped(next.value("run", "")) + "</b> – " + escaped(next.value("why", "")) + ".</p>\n";
 }
 
+/// Of a law that was open: what each leaves, and all on the first loading of one run.
+std::string laws_html(const Findings& findings) {
+  const Json laws = findings.report.value("laws_tried", Json::array());
+  if (laws.empty()) return "";
+  const Unit unit = unit_of(findings);
+  const std::string chosen = findings.report.value("law", ""), run = laws.front().value("run", "");
+  std::string rows;
+  Json series = Json::array();
+  for (const MeasuredRun& measured : findings.runs)
+    if (measured.name == run) {
+      const auto n = static_cast<std::ptrdiff_t>(laws.front().at("first_loading").size());
+      const std::vector<double> u(measured.u.begin(), measured.u.begin() + n), force(measured.measured.begin(), measured.measured.begin() + n);
+      series.push_back({{"name", "measured"}, {"style", "marks"}, {"points", points(u, force, unit.factor)}});
+    }
+  for (const Json& law : laws) {
+    const std::string name = law.at("law").get<std::string>(), row = table_row({escaped(name), number(law.at("percent"), 2), number(law.at("left_out_excess"), 3)}, "td", 1);
+    rows += name == chosen ? "<tr class=\"taken\">" + row.substr(4) : row;
+    Json curve = Json::array();
+    for (const Json& point : law.at("first_loading")) curve.push_back({point.at(0), unit.factor * point.at(1).get<double>()});
+    series.push_back({{"name", name}, {"style", "line"}, {"points", curve}});
+  }
+  const Json plot = {{"kind", "lines"}, {"x", "indentation (mm)"}, {"y", "force (" + unit.name + ")"}, {"series", series}};
+  return "<p class=\"hint\">The law was left open. Each is fitted to all runs; the one that predicts runs left out best is kept, and what it still misses is what follows. "
+         "The plot shows the first loading of run " + escaped(run) + ".</p>\n" +
+         plot_figure("plot-laws", plot, "Laws fitted to the first loading of run " + run, "plot") + table({"law", "error, % of the largest force", "excess on runs left out"}, rows);
+}
+
 std::string remarks_html(const Json& report) {
   std::string items;
   for (const Json& remark : report.value("remarks", Json::array())) items += "<li>" + escaped(remark.is_string() ? remark.get<std::string>() : remark.dump()) + "</li>\n";
@@ -237,8 +264,9 @@ std::string verdict_html(const Findings& findings) {
 std::string loop_page_html(const Findings& findings) {
   const Json& report = findings.report;
   return guarded([&] {
+    const std::string laws = laws_html(findings);
     const std::string body =
-        section("curves", "Measured and fitted", curves_html(findings)) + section("errors", "Error before and after", errors_html(report)) +
+        (laws.empty() ? "" : section("laws", "The law", laws)) + section("curves", "Measured and fitted", curves_html(findings)) + section("errors", "Error before and after", errors_html(report)) +
         section("parameters", "Parameters", parameters_html(report)) + section("residuals", "Where the misfit lives", residuals_html(report)) +
         section("candidates", "Candidates", candidates_html(report)) + section("blind", "What this protocol cannot see", blind_spots_html(report)) +
         section("next", "Next experiment", next_html(report)) + section("remarks", "Remarks on the set", remarks_html(report)) +

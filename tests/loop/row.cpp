@@ -135,3 +135,26 @@ TEST(Row, TrialLeavesNothingBehind) {
     EXPECT_EQ(other.advance(d, 0.2), tried);
   }
 }
+
+/// A spring with a length bears λ S: what has relaxed is missed on λ(now)/λ(then) of what it was.
+TEST(Row, ALengthLetsWhatRelaxedCountMoreOnTheWayBack) {
+  constexpr double length = 2, g = 0.2, tau = 4;
+  Tissue tissue;
+  tissue.prony = {{g, tau}};
+  Row row({Spring{}}, tissue, 1, true, length), as_is({Spring{}}, tissue, 1, true);
+  row.advance(1, 1e-6), as_is.advance(1, 1e-6);
+  EXPECT_NEAR(row.advance(1, 100 * tau), (1 - g) * 1, 1e-6) << "held, it is a spring that relaxes";
+  as_is.advance(1, 100 * tau);
+  const double S = 1 * (1 + 1 / length), S_half = 0.5 * (1 + 0.5 / length), lambda = 1 / (1 + 0.5 / length);
+  EXPECT_NEAR(row.advance(0.5, 1e-6), lambda * (S_half - g * S), 1e-6);
+  EXPECT_NEAR(as_is.advance(0.5, 1e-6), 0.5 - g, 1e-6);
+  EXPECT_EQ(Row({Spring{}}, Tissue{}, 1, true, length).advance(1, 1), 1) << "nothing relaxes";
+}
+
+TEST(Row, ALengthIsTheSameWithAndWithoutSofteningBeside) {
+  Tissue relaxes, both;
+  relaxes.prony = both.prony = {{0.3, 1}};
+  both.mullins = 1e-12;
+  Row one(springs_of(std::vector<double>{0, 1, 2}, std::vector<double>{0, 1, 3}), relaxes, 2, true, 3), other(springs_of(std::vector<double>{0, 1, 2}, std::vector<double>{0, 1, 3}), both, 2, true, 3);
+  for (double d : {0.5, 1.5, 1.9, 1.2, 0.3, 1.4}) EXPECT_NEAR(one.advance(d, 0.4), other.advance(d, 0.4), 1e-9);
+}
