@@ -191,7 +191,6 @@ void take_size(Session& s, Finding& f, Confirmation& c) {
   f.final = fitted(s.problem, start);
   f.reported_after = with_equal_weights(s, f.final.model);
   c.taken = c.ratio;
-  c.ratio = 1;
 }
 
 Json confirmation_json(const Confirmation& c) {
@@ -211,7 +210,7 @@ std::string told(const Confirmation& c) {
   if (!c.left_out.empty() && c.effects.empty()) return "not confirmed in the solver, which has nothing that means the same: " + list(c.left_out);
   if (!c.failure.empty()) return "not confirmed in the solver: " + c.failure.substr(0, c.failure.find('\n'));
   char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "%.2f times as much as in the quick model%s, and otherwise in course by %.0f %%", c.ratio * c.taken, c.taken != 1 ? ", which took that size and was fitted anew" : "", 100 * c.apart);
+  std::snprintf(numbers, sizeof numbers, "%.2f times as much as in the quick model%s, and otherwise in course by %.0f %%", c.ratio, c.taken != 1 ? ", which took that size and was fitted anew" : "", 100 * c.apart);
   return list(c.effects) + (c.confirmed() ? " confirmed in the solver" : " not confirmed in the solver") + " (run " + c.run + "): there the force changes " + numbers +
          (c.left_out.empty() ? "" : "; not put to it: " + list(c.left_out));
 }
