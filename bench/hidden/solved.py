@@ -27,8 +27,7 @@ IN_SOLVER = {"prony": ('[[effect]]\nname = "prony"\ng = {}\ntau_s = 4.0\n', 0.2)
              "mullins": ('[[effect]]\nname = "mullins"\ninverse_r = {}\nm = 0.0003\n', 0.3), "permanent_set": ('[[effect]]\nname = "permanent_set"\nfraction = {}\nyield = 0.05\n', 0.1),
              "friction": ('[[effect]]\nname = "friction"\nmu = {}\n', 0.15), "adhesion": ('[[effect]]\nname = "adhesion"\nwork = {}\nrange_mm = 0.3\n', 0.3),
              "capsule": ('[[effect]]\nname = "capsule"\nE_h = {}\n', 0.02), "prestress": ('[[effect]]\nname = "prestress"\np_kPa = {}\n', 1.0),
-             "support": ('[[effect]]\nname = "support"\nstiffness = {}\n', 0.002), "compressibility": ("", 0.06), "stiffening": ("", 0.6), "thickness": ("", -0.12),
-             "inclusion": ("", 1.0)}
+             "support": ('[[effect]]\nname = "support"\nstiffness = {}\n', 0.002), "compressibility": ("", 0.06), "stiffening": ("", 0.6), "thickness": ("", -0.12)}
 MEMORY, PATH = {"prony", "rate"}, {"friction", "adhesion", "mullins", "permanent_set"}
 # Of the rig, on top: read_off's and ours. Forces in shares of the largest.
 ON_TOP = {"contact_offset": 0.12, "rig_compliance": 0.25, "drift": 4e-4, "lag": 0.3, "saturation": 0.75, "tare": 0.03, "gain": 0.05}
@@ -64,8 +63,6 @@ def case_text(a, radius, effect, amplitude, motion):
     elif effect == "thickness":
         n, x0 = (json.loads(re.search(rf"{key}\s*=\s*(\[.*?\])", text)[1]) for key in ("normal", "point_mm"))
         text += '[[effect]]\nname = "thickness"\nexcess = {}\n'.format(amplitude) + "".join(f"axis_{c} = {x}\n{c}_mm = {y}\n" for c, x, y in zip("xyz", n, x0))
-    elif effect == "inclusion":
-        text += '[[effect]]\nname = "inclusion"\nexcess = {}\nradius_mm = 4.0\n'.format(amplitude) + "".join(f"{c}_mm = {x}\n" for c, x in zip("xyz", a.lump))
     elif effect:
         text += IN_SOLVER[effect][0].format(amplitude)
     if effect == "support":
