@@ -95,9 +95,15 @@ double whitened_change_by_last(const Session& s, Model model, int blocks) {
   return (with - whitened(s.problem, s.problem.whiteners, residual(s.problem, without))).head(blocks).norm();
 }
 
+namespace {
+
+bool changes_curve(const Effect& effect) { return effect.entry.kind == "material" || effect.entry.kind == "start" || effect.entry.kind == "layer"; }
+
+}  // namespace
+
 bool matters(const Session& s, const Model& model) {
   const Effect& last = *model.active.back().effect;
-  const bool elastic = last.entry.kind == "material" || last.entry.kind == "start" || last.entry.kind == "layer" || s.set->specimen.shape == "tube";  // a change of the curve, known to form_sd
+  const bool elastic = changes_curve(last) || s.set->specimen.shape == "tube";  // known to form_sd
   double known = std::hypot(s.set->curve_sd, s.set->mesh_sd * s.set->mesh_apart);  // of a clamp: half of the force, over the curve, times what its meshes differ by
   known += 0.5 * s.set->clamp_form_sd;
   const bool further = model.active.size() > 1;
@@ -132,7 +138,8 @@ bool lowers_error(const Session& s, const Model& model) {
   Model without = model;
   without.active.pop_back();
   const double before = error_in_N(s, without);
-  const bool within_noise = s.set->specimen.shape == "tube" && before <= noise_in_N(s);  // a clamp's curve is known to no better than what meshes differ by
+  const bool of_meshes = s.set->specimen.shape == "tube" || (!s.set->specimen.case_file.empty() && changes_curve(last));  // known to no better than what meshes differ by
+  const bool within_noise = of_meshes && before <= noise_in_N(s);
   return error_in_N(s, model) <= (1 - (within_noise ? thresholds::relevance : thresholds::error_fall)) * before;
 }
 

@@ -19,7 +19,7 @@ bool made_up(const Session& session, const Model& before, const Model& after);
 bool matters(const Session& session, const Model& model);
 
 /// Whether the last effect of a model lowers the error in N at all: fits in which every block of a run weighs alike, with it and without. What explains only what noise was thought
-/// to be is none; on a clamp whose fit is within noise already, what lowers it by less than a fifth. Of effects that lateral forces or a rigid block show: true.
+/// to be is none; on a clamp, or of changes of an organ's own curve, where the fit is within noise already, what lowers it by less than a fifth. Of effects that lateral forces or a rigid block show: true.
 bool lowers_error(const Session& session, const Model& model);
 
 /// How much the last effect of a model changes the fitted forces, in deviations of noise, over the first `blocks` rows: the curves.
