@@ -9,6 +9,7 @@
 
 #include <palpate/text_file.hpp>
 #include <solver/implicit/keep.hpp>
+#include <solver/moved_case.hpp>
 #include <solver/remesh.hpp>
 
 namespace palpate {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <palpate/errors.hpp>
+#include <solver/moved_case.hpp>
 #include <solver/implicit/keep.hpp>
 #include <solver/remesh.hpp>
 #include <solver/results.hpp>
@@ -17,40 +18,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// Small against what bends the curves (a contact's deepest gap is a hundredth of an element), large against rounding: of a length in
-/// mm, of any other number in parts of itself.
-double small_change(const std::string& path, double value) {
-  constexpr double part = 1e-7;
-  const bool length = path.find("_mm") != std::string::npos;
-  return length || value == 0 ? part : part * std::abs(value);
-}
-
-/// The case with the number moved up, or down where that is refused: at the end of its range.
-std::pair<double, Case> moved_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path) {
-  const double step = small_change(path, settings.number_at(path));
-  for (double change : {step, -step}) {
-    Settings moved = Settings::read(settings.file());
-    moved.shift(path, change);
-    try {
-      return {change, read_case(moved, mesh)};
-    } catch (const Failure&) {
-      if (change < 0) throw;
-    }
-  }
-  throw std::logic_error("unreachable");
-}
-
-/// Friction that is off has no derivative: where nothing moves, any friction sticks. The secant to this coefficient stands in.
-constexpr double finite_friction = 0.05;
-
-bool needs_secant(const Case& still, const Case& moved) { return implicit::has_friction(moved.model) && !implicit::has_friction(still.model); }
-
-Case shifted_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, double change) {
-  Settings moved = Settings::read(settings.file());
-  moved.shift(path, change);
-  return read_case(moved, mesh);
-}
 
 /// Whether the driven tool's depth is not given but found.
 bool depth_answers(const Case& c) { return !c.model.tools.empty() && c.model.tools.front().force_controlled; }
@@ -78,16 +45,6 @@ bool slides_elsewhere(const implicit::ContactSums& a, const implicit::ContactSum
 Shadow::Shadow(std::string number, double by, Case moved, int threads)
     : path(std::move(number)), change(by), the_case(std::move(moved)), assembly(the_case.model, threads), state(implicit::rest_state(the_case.model)) {}
 
-std::vector<std::string> number_paths(const std::string& list) {
-  std::vector<std::string> paths;
-  std::istringstream in(list);
-  for (std::string path; std::getline(in, path, ',');) {
-    std::erase(path, ' ');
-    if (!path.empty()) paths.push_back(path);
-  }
-  return paths;
-}
-
 Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::path& mesh_override, const std::vector<std::string>& numbers,
                              implicit::Equilibrium& equilibrium, int threads)
     : settings_(settings),
@@ -98,11 +55,9 @@ Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::pa
   if (numbers.empty()) throw Failure(ExitCode::misuse, "no numbers to differentiate by", "--sensitivities", "a path such as material.mu");
   table_ = "t[s]";
   for (const auto& path : numbers) {
-    auto [change, moved] = moved_case(settings, mesh_override, path);
-    const bool secant = needs_secant(still_->the_case, moved);
-    if (secant) moved = shifted_case(settings, mesh_override, path, change = finite_friction);
-    shadows_.push_back(std::make_unique<Shadow>(path, change, std::move(moved), threads));
-    if (secant) shadows_.back()->own = std::make_unique<implicit::Equilibrium>(shadows_.back()->the_case.model, threads);
+    MovedCase moved = moved_case(settings, mesh_override, path, still_->the_case);
+    shadows_.push_back(std::make_unique<Shadow>(path, moved.change, std::move(moved.the_case), threads));
+    if (moved.is_secant) shadows_.back()->own = std::make_unique<implicit::Equilibrium>(shadows_.back()->the_case.model, threads);
     std::vector<std::string> forces = {"F", "Fx", "Fy", "Fz"};
     for (std::size_t i = 2; i <= still_->the_case.model.tools.size(); ++i)
       for (const char* component : {"Fx", "Fy", "Fz"}) forces.push_back(component + std::to_string(i));

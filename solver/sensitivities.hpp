@@ -75,7 +75,4 @@ class Sensitivities {
   int weak_steps_ = 0;  ///< in which points were about to touch or to be let go
 };
 
-/// "a, b, c" as paths.
-std::vector<std::string> number_paths(const std::string& list);
-
 }  // namespace palpate

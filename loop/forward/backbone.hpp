@@ -26,7 +26,7 @@ struct Site {
 
 /// F(δ) in N. Ball: Hertz 16/3 μ √R δ^1.5 over 2 (1 − ν), times the exact factor of the layer at ν (`series`: Dimitriadis'); at finite strains times neo_hookean_depth and
 /// compressible_depth; times the law's stress over the neo-Hookean one at the uniaxial stretch 1 − y, y = a/R representative_strain, a = √(Rδ), at finite strains over
-/// 1 + 0.34 ln of that ratio. Flat punch: 8 a μ δ, likewise at 1 − δ/(5a), without a factor for depth. Inclusion: F (1 + e s³/(1 + s³)), s = a/depth. Skin: its tension over
+/// 1 + 0.34 ln of that ratio. Flat punch: 8 a μ δ, likewise at 1 − δ/(5a), without a factor for depth. Inclusion: F (1 + e s/(1 + s)), s = a over its distance. Skin: its tension over
 /// the deflection of Hertz' solution, 2 c1 T δ, and its stretch, S = E h δ²/R (0.2 + 5.2 √x χ) as S/√(1 + 8.8 S/F), within 11 % of GetFEM where it changes the force by 2 to 23 %.
 /// Sides of a block or cylinder are not seen.
 double elastic_force(const Site& site, const Tissue& tissue, double depth_mm);

@@ -91,6 +91,7 @@ fs::path refined_mesh(const SiteJob& job, const fs::path& own, double contact) {
   if (near.empty()) throw Failure(ExitCode::refused, "the mesh has nothing under tool " + job.run->tool, own.string(), "point_mm and axis of the run");
   std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
   for (std::size_t t : near) target[t] = std::max(0.5 * lengths[lengths.size() / 2], contact / 6);
+  const FolderLock lock(job.kept);
   const fs::path marked = job.kept / "marked.vtu", finer = job.kept / "finer.vtu", log = job.kept / "remesh.txt";
   write_mesh(marked, mesh, {}, {{"target_mm", 1, target}});
   if (run_logged(beside("palpate-remesh"), {marked.string(), finer.string(), "--quiet", "--force"}, log) != 0)

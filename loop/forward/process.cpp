@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -36,6 +37,13 @@ int run_logged(const std::filesystem::path& program, const std::vector<std::stri
   if (code == 127) throw Failure(ExitCode::unreadable, "cannot run the program", program.string(), "build all of Palpate's programs into one folder");
   return code;
 }
+
+FolderLock::FolderLock(const std::filesystem::path& folder) : file_(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  if (file_ < 0) throw Failure(ExitCode::unreadable, "cannot be written", folder.string());
+  while (flock(file_, LOCK_EX) < 0 && errno == EINTR) {}
+}
+
+FolderLock::~FolderLock() { close(file_); }
 
 std::filesystem::path beside(const std::string& name) {
   const auto path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;

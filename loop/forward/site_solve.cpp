@@ -38,8 +38,9 @@ double SolvedCurve::at(double depth) const {
 SolvedMotion solved_motion(const SiteJob& job, const std::string& text, const std::string& motion, const fs::path& mesh) {
   const std::string the_case = text + tool_text(job.set->tools.at(job.run->tool), *job.run) + motion;
   const fs::path folder = job.kept / sha256_of_bytes(the_case + sha256(mesh) + sha256(job.solver)).substr(0, 16), result = folder / "result", log = folder / "log.txt";
+  fs::create_directories(folder);
+  const FolderLock lock(folder);
   if (!fs::exists(result / "history.csv")) {
-    fs::create_directories(folder);
     write_text(folder / "case.toml", the_case);
     const int code = run_logged(job.solver, {(folder / "case.toml").string(), result.string(), "--mesh", mesh.string(), "--quiet", "--threads=1"}, log);
     if (code != 0) throw Failure(ExitCode::not_converged, "the solver fails for tool " + job.run->tool + ": " + read_text(log), job.set->file.string(), "--forward closed");

@@ -1,0 +1,60 @@
+// A number moved, and the case read once more.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <solver/moved_case.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <palpate/errors.hpp>
+#include <solver/implicit/assembly.hpp>
+
+namespace palpate {
+namespace {
+
+/// Small against what bends the curves (a contact's deepest gap is a hundredth of an element), large against rounding: of a length in
+/// mm, of any other number in parts of itself.
+double small_change(const std::string& path, double value) {
+  constexpr double part = 1e-7;
+  const bool length = path.find("_mm") != std::string::npos;
+  return length || value == 0 ? part : part * std::abs(value);
+}
+
+/// Where nothing moves, any friction sticks; the secant to this coefficient stands in for its derivative.
+constexpr double finite_friction = 0.05;
+
+bool needs_secant(const Case& still, const Case& moved) { return implicit::has_friction(moved.model) && !implicit::has_friction(still.model); }
+
+Case shifted_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, double change) {
+  Settings moved = Settings::read(settings.file());
+  moved.shift(path, change);
+  return read_case(moved, mesh);
+}
+
+}  // namespace
+
+MovedCase moved_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, const Case& still) {
+  const double step = small_change(path, settings.number_at(path));
+  for (double change : {step, -step}) {
+    try {
+      Case moved = shifted_case(settings, mesh, path, change);
+      if (needs_secant(still, moved)) return {finite_friction, shifted_case(settings, mesh, path, finite_friction), true};
+      return {change, std::move(moved), false};
+    } catch (const Failure&) {
+      if (change < 0) throw;
+    }
+  }
+  throw std::logic_error("unreachable");
+}
+
+std::vector<std::string> number_paths(const std::string& list) {
+  std::vector<std::string> paths;
+  std::istringstream in(list);
+  for (std::string path; std::getline(in, path, ',');) {
+    std::erase(path, ' ');
+    if (!path.empty()) paths.push_back(path);
+  }
+  return paths;
+}
+
+}  // namespace palpate
