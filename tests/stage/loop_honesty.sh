@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # palpate-loop claims what replicates carry and no more: a hidden relaxation is named with its size; one run alone only ranks; a hum, which is in
-# no catalogue, is left unexplained; what the set says it cannot show is not offered. Of a whole battery: what two runs of a small ball tell beside a larger effect, an
+# no catalogue, is left unexplained; what the set says it cannot show is not offered. Of a whole battery: what two runs of a small ball tell beside a larger effect whose own form is not exact, an
 # inclusion under a site that is pressed once, and what is left of permanent set, which presses on no tool above it.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -44,12 +44,13 @@ assert r["verdict"]["kind"] == "unexplained" and r["verdict"]["effects"] == [], 
 P
 
 hidden thickness+friction battery thickness+friction 41414009
+hidden mullins+thickness battery mullins+thickness 41414032
 hidden inclusion battery inclusion 41414002
 hidden permanent_set battery permanent_set 41414001
 python3 - <<'P'
 import json
 
-for name in ("thickness+friction", "inclusion", "permanent_set"):
+for name in ("thickness+friction", "mullins+thickness", "inclusion", "permanent_set"):
     verdict = json.load(open(f"{name}/loop/report.json"))["verdict"]
     assert verdict["kind"] == "claimed" and sorted(verdict["effects"]) == sorted(name.split("+")), verdict
 P
