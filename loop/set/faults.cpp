@@ -25,10 +25,11 @@ bool numbers_and_time(const Run& run, std::vector<std::string>& list) {
     return false;
   }
   for (std::size_t i = 0; i < run.t.size(); ++i)
-    if (!std::isfinite(run.t[i]) || !std::isfinite(run.u[i]) || !std::isfinite(run.F[i])) {
-      list.push_back(at(run, i) + "not a number (NaN or infinite); leave the row out");
-      return false;
-    }
+    for (const std::vector<double>* column : {&run.t, &run.u, &run.F, &run.Fx, &run.Fy})  // lateral forces need not be there
+      if (!column->empty() && !std::isfinite((*column)[i])) {
+        list.push_back(at(run, i) + "not a number (NaN or infinite); leave the row out");
+        return false;
+      }
   for (std::size_t i = 1; i < run.t.size(); ++i)
     if (!(run.t[i] > run.t[i - 1])) {
       list.push_back(at(run, i) + "time does not increase: " + number(run.t[i]) + " s after " + number(run.t[i - 1]) + " s; sort the rows or split the file");

@@ -189,7 +189,9 @@ Run read_run(const Settings& s, Set& set, int number) {
     if (names.empty()) throw Failure(ExitCode::misuse, "an indentation without a tool", s.where(), "[tool.NAME] kind = \"ball\", radius_mm");
     run.tool = s.has("tool") || names.size() > 1 ? s.choice("tool", names) : names.front();
     run.point_mm = s.vec3("point_mm", {0, 0, set.specimen.size_mm[2]});
-    run.axis = unit(s.vec3("axis", set.specimen.shape == "tube" ? Vec3{0, -1, 0} : Vec3{0, 0, -1}));
+    const Vec3 axis = s.vec3("axis", set.specimen.shape == "tube" ? Vec3{0, -1, 0} : Vec3{0, 0, -1});
+    if (!(norm(axis) > 0)) throw Failure(ExitCode::misuse, "an axis without direction", s.where("axis"), "the way that the tool goes, such as [0, 0, -1]");
+    run.axis = unit(axis);
     read_zero(s, run);
   }
   run.order = static_cast<int>(s.integer("order", number, {0, 1e6}));

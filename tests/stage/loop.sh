@@ -35,11 +35,13 @@ refused 3 'no number in column F\[N\]: "x".*r01\.csv:9' 'NR==9{$3="x"}1'
 refused 3 'cells in a row.*r01\.csv:7' 'NR==7{print $1,$2;next}1'
 refused 4 'time does not increase.*r01\.csv:20' 'NR==20{$1=0}1'
 refused 4 'not a number.*r01\.csv:12' 'NR==12{$3="nan"}1'
+refused 4 'not a number.*r01\.csv:12' 'NR==12{$5="nan"}1'  # a lateral force
 refused 4 'one sample is no run.*r01\.csv:2' 'NR<=2'
 refused 4 'sign flipped.*r01\.csv:' 'NR>1{$3=-$3}1'
 refused 4 'a gap of .* in time.*r01\.csv:31' 'NR>=31{$1=$1+30}1'
 refused 4 'cannot touch the specimen there' 1 's/^point_mm = .*/point_mm = [500.0, 0.0, 20.0]/'
 refused 3 'nowhere.csv' 1 's/r01\.csv/nowhere.csv/'
+refused 2 'an axis without direction.*set\.toml:[0-9]+' 1 's/^axis = .*/axis = [0, 0, 0]/'
 refused 2 'set\.toml:[0-9]+.*did you mean radius_mm' 1 's/^radius_mm = 5/radus_mm = 5\nradius_mm = 5/'
 
 python3 "$make" --protocol battery --effect none --seed 5 bad2
