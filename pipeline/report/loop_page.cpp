@@ -150,7 +150,7 @@ std::string residual_rows(const Json& report, const std::string& by) {
   const Json &before = report.at("residuals").at("before"), &after = report.at("residuals").at("after");
   for (std::size_t i = 0; i < before.size() && i < after.size(); ++i)
     if (before[i].at("by") == by)
-      rows += table_row({escaped(by) + ": " + escaped(before[i].at("name").get<std::string>()), number(before[i].at("blocks")), number(before[i].at("rms_N")),
+      rows += table_row({escaped(by) + ": " + escaped(before[i].at("name").get<std::string>()), number(before[i].at("blocks"), 6), number(before[i].at("rms_N")),
                          number(after[i].at("rms_N")), number(before[i].at("chi2_per_block")), number(after[i].at("chi2_per_block")),
                          number(before[i].at("lag1"), 2), number(after[i].at("lag1"), 2)}, "td", 1);
   return rows;
@@ -168,9 +168,10 @@ std::string candidates_html(const Json& report) {
   std::string tried, others;
   for (const Json& c : report.at("candidates")) {
     const bool refitted = c.value("refitted", false);
+    const std::string unit = c.value("unit", "");
     const std::vector<std::string> cells{escaped(c.at("effect").get<std::string>()), escaped(c.at("reason").get<std::string>()), number(c.at("step")),
                                          number(c.value("z", Json()), 2), number(c.value("lambda", Json())), number(c.value("p", Json()), 2),
-                                         number(c.value("amplitude", Json())) + " " + escaped(c.value("unit", ""))};
+                                         number(c.value("amplitude", Json())) + (unit == "1" ? "" : " " + escaped(unit))};
     std::string row = table_row(cells, "td", 2);
     (refitted ? tried : others) += c.at("reason") == "taken" ? "<tr class=\"taken\">" + row.substr(4) : row;
   }
