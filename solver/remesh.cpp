@@ -60,6 +60,7 @@ implicit::Origins remeshed(const Case& c, const implicit::State& state, const st
 Case case_on(const Settings& settings, const fs::path& mesh, const Case& before) {
   Case c = read_case(settings, mesh);
   c.mesh_path = before.mesh_path;
+  c.remesh = before.remesh;  // its finest edge by default is of the first mesh
   for (std::size_t i = 0; i < c.model.tools.size(); ++i) c.model.tools[i].first_contact = before.model.tools[i].first_contact;
   return c;
 }

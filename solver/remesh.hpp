@@ -13,7 +13,7 @@ namespace palpate {
 implicit::Origins remeshed(const Case& c, const implicit::State& state, const std::vector<double>& marks, const std::filesystem::path& folder,
                            const std::string& name);
 
-/// The settings' case on another mesh of the same rest shape; its tools are where those of `before` are.
+/// The settings' case on another mesh of the same rest shape; its tools are where those of `before` are, its rules of remeshing the same.
 Case case_on(const Settings& settings, const std::filesystem::path& mesh, const Case& before);
 
 }  // namespace palpate

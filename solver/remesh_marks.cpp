@@ -3,6 +3,7 @@
 #include <solver/remesh_marks.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate {
 namespace {
@@ -43,8 +44,7 @@ std::vector<double> spread(const Model& model, const State& state, const std::ve
   return any ? marks : std::vector<double>{};
 }
 
-}  // namespace
-
+/// Faces that a tool touches against its curvature; also about them, if one of them is too coarse. Empty: none is.
 std::vector<double> contact_marks(const Model& model, const State& state, const implicit::ContactSums& contact, const RemeshRules& rules) {
   constexpr int points = contact::points_per_face;
   constexpr double near = 1;  // face sizes from a tool: about to be touched
@@ -65,6 +65,52 @@ std::vector<double> contact_marks(const Model& model, const State& state, const 
     }
   }
   return too_coarse ? spread(model, state, of_node) : std::vector<double>{};
+}
+
+/// Half the longest edge of elements that have lost their shape. Empty: none has, or they are at their finest.
+std::vector<double> shape_marks(const Model& model, const State& state, const RemeshRules& rules) {
+  std::vector<double> marks(model.tets.size(), 0.0);
+  const auto shape = shapes(model, state);
+  bool any = false;
+  for (std::size_t t = 0; t < marks.size(); ++t) {
+    const double longest = longest_edge(model, state, model.tets[t]);
+    if (shape[t] >= rules.least_shape || !(longest > rules.finest_mm)) continue;
+    marks[t] = std::max(rules.finest_mm, longest / 2);
+    any = true;
+  }
+  return any ? marks : std::vector<double>{};
+}
+
+}  // namespace
+
+double mean_ratio(const Eigen::Matrix<double, 3, 4>& x) {
+  double squares = 0;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < a; ++b) squares += (x.col(a) - x.col(b)).squaredNorm();
+  const double six_volumes = (x.col(1) - x.col(0)).dot((x.col(2) - x.col(0)).cross(x.col(3) - x.col(0)));
+  return std::copysign(12 * std::cbrt(six_volumes * six_volumes / 4) / squares, six_volumes);
+}
+
+std::vector<double> shapes(const Model& model, const State& state) {
+  std::vector<double> shape;
+  for (const auto& tet : model.tets) {
+    const Eigen::Matrix<double, 3, 4> X = implicit::corners(model, tet);
+    Eigen::Matrix<double, 3, 4> x = X;
+    for (int a = 0; a < 4; ++a) x.col(a) += state.displacement(tet[a]);
+    shape.push_back(mean_ratio(x) / mean_ratio(X));
+  }
+  return shape;
+}
+
+Marks marks(const Model& model, const State& state, const implicit::ContactSums& contact, const RemeshRules& rules) {
+  auto asked = contact_marks(model, state, contact, rules);
+  const auto of_shape = shape_marks(model, state, rules);
+  std::string why = asked.empty() ? "" : "faces under a tool were too coarse";
+  if (of_shape.empty()) return {std::move(asked), why};
+  asked.resize(of_shape.size(), 0.0);
+  for (std::size_t t = 0; t < asked.size(); ++t)
+    if (of_shape[t] > 0) asked[t] = asked[t] > 0 ? std::min(asked[t], of_shape[t]) : of_shape[t];
+  return {std::move(asked), why + (why.empty() ? "" : ", and ") + "elements had lost their shape"};
 }
 
 std::vector<double> trouble_marks(const Model& model, const State& state, const Vector3d& place_mm, const RemeshRules& rules) {

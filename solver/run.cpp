@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/run.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -25,6 +26,11 @@ Case case_of(Command& c, const Settings& settings, const std::filesystem::path& 
   c.say(std::to_string(the_case.model.points.size()) + " nodes, " + std::to_string(the_case.model.tets.size()) + " tetrahedra, " +
         std::to_string(the_case.base_nodes) + " nodes held");
   return the_case;
+}
+
+double least_shape(const Case& c, const implicit::State& state) {
+  const auto of_all = shapes(c.model, state);
+  return *std::min_element(of_all.begin(), of_all.end());
 }
 
 }  // namespace
@@ -134,12 +140,12 @@ bool Run::may_remesh() const {
          static_cast<int>(case_->model.points.size()) < case_->remesh->most_nodes;
 }
 
-/// Is the mesh fine enough for the tools as they are now?
+/// Does the mesh suit the tools and the organ's shape as they are now?
 void Run::judge(const Step& step) {
   if (!may_remesh() || too_large_ || step.index == 0 || step.index == case_->count) return;
-  marks_ = contact_marks(case_->model, step.state, step.equations.contact, *case_->remesh);
+  marks_ = marks(case_->model, step.state, step.equations.contact, *case_->remesh);
   marked_force_ = driven(*case_, step).force;
-  pressing_.pause = !marks_.empty();
+  pressing_.pause = !marks_.longest_mm.empty();
 }
 
 /// A step could not be made: finer where it stopped, from the last reported step on. Nearer to where it stopped equilibrium is hard to find again.
@@ -152,9 +158,9 @@ bool Run::mend() {
   failed_remeshings_ = failed;
   too_large_ = too_large;
   pressing_.part = 0.5;
-  marks_ = trouble_marks(case_->model, state_, trouble_.place_mm, *case_->remesh);
+  marks_ = {trouble_marks(case_->model, state_, trouble_.place_mm, *case_->remesh), "a step stopped: " + trouble_.cause};
   marked_force_ = results_.force();
-  return !marks_.empty() && remesh("a step stopped: " + trouble_.cause);
+  return !marks_.longest_mm.empty() && remesh();
 }
 
 void Run::give_up_mesh(const std::string& name, const std::string& why) {
@@ -163,10 +169,10 @@ void Run::give_up_mesh(const std::string& name, const std::string& why) {
 }
 
 /// The same load on a finer mesh; the run goes on there if equilibrium is found.
-bool Run::remesh(const std::string& why) {
+bool Run::remesh() {
   std::ostringstream name;
   name << "remesh/mesh_" << std::setw(2) << std::setfill('0') << meshes_.size() + 1 << ".vtu";
-  const auto origins = remeshed(*case_, state_, marks_, folder_, name.str());
+  const auto origins = remeshed(*case_, state_, marks_.longest_mm, folder_, name.str());
   auto fresh = std::make_unique<Case>(case_on(settings_, folder_ / name.str(), *case_));
   if (static_cast<int>(fresh->model.points.size()) > case_->remesh->most_nodes) {
     too_large_ = true;
@@ -175,7 +181,7 @@ bool Run::remesh(const std::string& why) {
   }
   auto equilibrium = std::make_unique<implicit::Equilibrium>(fresh->model, command_.threads());
   implicit::State state = implicit::carried(case_->model, state_, fresh->model, origins);
-  const double before = implicit::volume(case_->model, state_), carried = implicit::volume(fresh->model, state);
+  const double before = implicit::volume(case_->model, state_), carried = implicit::volume(fresh->model, state), shape_before = least_shape(*case_, state_);
   const auto found = equilibrium->find(state, state.time);
   if (!found) {
     ++failed_remeshings_;
@@ -192,9 +198,10 @@ bool Run::remesh(const std::string& why) {
   }
   meshes_.push_back(name.str());
   const Step step{0, state_, found->equations, found->iterations, 0};
-  results_.remeshed({{"time_s", state_.time}, {"why", why}, {"nodes", case_->model.points.size()}, {"tets", case_->model.tets.size()},
+  results_.remeshed({{"time_s", state_.time}, {"why", marks_.why}, {"nodes", case_->model.points.size()}, {"tets", case_->model.tets.size()},
                      {"force_N", {{"before", finite_or_null(marked_force_)}, {"after", driven(*case_, step).force}}},
                      {"volume_mm3", {{"before", before}, {"carried", carried}, {"after", implicit::volume(case_->model, state_)}}},
+                     {"least_shape", {{"before", shape_before}, {"after", least_shape(*case_, state_)}}},
                      {"iterations", found->iterations}}, step);
   command_.say("remeshed at " + std::to_string(state_.time) + " s: " + std::to_string(case_->model.points.size()) + " nodes");
   save();
@@ -213,9 +220,9 @@ void Run::go() {
       judge(step);
       if (!pressing_.pause) save();
     }, observe_);
-    const bool too_coarse = std::exchange(pressing_.pause, false);
-    if (too_coarse) {
-      if (!remesh("faces under a tool were too coarse")) save();
+    const bool unsuited = std::exchange(pressing_.pause, false);
+    if (unsuited) {
+      if (!remesh()) save();
       continue;
     }
     if (!(time_ < end)) break;

@@ -32,7 +32,7 @@ class Run {
   bool may_remesh() const;
   void judge(const implicit::Step& step);
   bool mend();
-  bool remesh(const std::string& why);
+  bool remesh();
   void give_up_mesh(const std::string& name, const std::string& why);
   std::vector<std::string> files() const;
   std::string remark(const implicit::Step& step) const;
@@ -51,7 +51,7 @@ class Run {
   double time_ = 0;  ///< that was reached, s
   implicit::Trouble trouble_;  ///< why no more
   std::optional<Restart> restart_;
-  std::vector<double> marks_;             ///< of the next remeshing
+  Marks marks_;                           ///< of the next remeshing
   std::vector<std::string> meshes_;       ///< of the remeshings, from the folder; the last one is the case's
   std::string snapshot_;                  ///< of the last reported step, to go back to; none without remeshing
   double marked_force_ = 0;               ///< before it, N

@@ -68,6 +68,33 @@ done
 [ "$(grep -c "a finer mesh would have" message)" = 1 ] || fail "not refused once for its size: $(cat message)"
 cmp -s small/history.csv coarse/history.csv || fail "a refused remeshing changes the run"
 
+# No tool, but elements that lose their shape: a block pulled by its whole top is made finer for that reason, and for no other.
+"$bin/test-block" tall.vtu 5 4 0 4 20
+sed '/^\[tool\]/,$d' case.toml >pull.toml
+cat >>pull.toml <<'TOML'
+[[displacement]]
+box = { min_mm = [-20.1, -20.1, 19.9], max_mm = [20.1, 20.1, 20.1] }
+motion_mm = [0.0, 0.0, 20.0]
+[steps]
+count = 4
+frames = 1
+TOML
+for least in 0.4 0; do
+  { cat pull.toml; printf '[remesh]\nfinest_mm = 4\nleast_shape = %s\n' $least; } >pull-$least.toml
+  solve pull-$least pulled-$least tall.vtu
+done
+solve pull pulled "$(last_mesh pulled-0.4)"
+python3 - <<'PY'
+import json
+marked, unmarked, fine = (json.load(open(f"{name}/summary.json")) for name in ("pulled-0.4", "pulled-0", "pulled"))
+for r in marked["remeshings"]:
+    print(r["time_s"], r["why"], r["nodes"], r["least_shape"], r["force_N"])
+    assert r["why"] == "elements had lost their shape", r
+    assert r["least_shape"]["before"] < 0.4, r
+assert "remeshings" not in unmarked
+assert abs(marked["final_force_N"] / fine["final_force_N"] - 1) <= 1e-6, (marked["final_force_N"], fine["final_force_N"])
+PY
+
 # Killed after its first remeshing and given again: the same bytes.
 "$bin/palpate-solve" remesh-effects.toml again --mesh block.vtu --threads 1 --quiet </dev/null >/dev/null &
 pid=$!
