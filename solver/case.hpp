@@ -22,6 +22,12 @@ struct Moved {
   int amplitude = 0;
 };
 
+/// Nodes that stay on a plane of symmetry: their component `axis` is zero.
+struct Symmetry {
+  std::set<int> nodes;
+  int axis = 0;
+};
+
 /// A table [[effect]]: of the tissue, or of the region that it names.
 struct GivenEffect : effects::Active {
   std::string region;  ///< or empty: everywhere
@@ -39,10 +45,11 @@ struct Case {
   int frames = 5;            ///< besides the one at rest
   std::optional<RemeshRules> remesh;
   bool keep_partial = false; ///< deliver what was reached when the full depth is not
-  int base_nodes = 0;
+  std::set<int> base;        ///< nodes that are held
   std::vector<std::string> material_regions;  ///< of each material: a region's name, or empty: all of the mesh
   std::vector<GivenEffect> effects;
   std::vector<Moved> moved;
+  std::vector<Symmetry> symmetries;
   std::vector<std::vector<std::string>> contacts;  ///< names of the two regions, or of the one that touches itself
   std::vector<Eigen::Vector3d> aims_mm;  ///< of the tools
   std::vector<std::filesystem::path> tool_files;  ///< of the tools that have one

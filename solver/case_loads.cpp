@@ -70,9 +70,9 @@ int add_amplitude(implicit::Model& model, Amplitude amplitude) {
 
 void read_base(const Settings& settings, Case& c, std::set<int>& held) {
   if (settings.has("base")) held = chosen_nodes(settings.table("base"), c.mesh);
-  else if (!settings.has("spring") && !settings.has("displacement") && c.model.region_forces.empty())
-    throw Failure(ExitCode::misuse, "nothing holds the organ", settings.where(), "[base], [[spring]], [[displacement]] or an effect such as support");
-  c.base_nodes = static_cast<int>(held.size());
+  else if (!settings.has("spring") && !settings.has("displacement") && !settings.has("symmetry") && c.model.region_forces.empty())
+    throw Failure(ExitCode::misuse, "nothing holds the organ", settings.where(), "[base], [[spring]], [[displacement]], [[symmetry]] or an effect such as support");
+  c.base = held;
   for (int node : held)
     for (int component = 0; component < 3; ++component) c.model.prescribed.push_back({node, component, 0});
 }
@@ -90,6 +90,45 @@ void read_displacements(const Settings& settings, Case& c, std::set<int>& held) 
       for (int component = 0; component < 3; ++component) c.model.prescribed.push_back({node, component, motion(component), ramp});
     }
     c.moved.push_back(std::move(moved));
+  }
+}
+
+/// The axis a plane of symmetry is at right angles to: 0, 1 or 2. Failure(misuse) when there is none.
+int axis_of_symmetry(const Settings& plane) {
+  const Vector3d normal = direction(plane, "normal");
+  int axis = 0;
+  if (normal.cwiseAbs().maxCoeff(&axis) < 1 - 1e-12)
+    throw Failure(ExitCode::misuse, "a plane of symmetry is at right angles to x, y or z", plane.where("normal"), "turn the mesh so that it is");
+  return axis;
+}
+
+/// Nodes on a plane of symmetry stay on it; what else holds or moves them must not pull them off.
+void read_symmetries(const Settings& settings, Case& c, const std::set<int>& held) {
+  constexpr double part_of_size = 1e-6;  // nodes so near to the plane are on it
+  Eigen::AlignedBox3d box;
+  for (const auto& x : c.mesh.points) box.extend(eigen(x));
+  const double near = part_of_size * box.diagonal().norm();
+  std::set<std::pair<int, int>> kept;
+  for (const auto& table : settings.tables("symmetry")) {
+    const Settings plane = table.table("plane");
+    const int axis = axis_of_symmetry(plane);
+    const double place = plane.vec3("point_mm")[axis], side = direction(plane, "normal")(axis);
+    const auto off = [&](int node) { return side * (c.mesh.points[node][axis] - place); };
+    Symmetry symmetry{{}, axis};
+    for (int node : boundary_nodes(c.mesh)) {
+      if (off(node) < -near)
+        throw Failure(ExitCode::misuse, "the organ goes through its plane of symmetry, at " + text_mm(c.model.points[node]), table.where(), "cut it there, or turn the normal towards it");
+      if (off(node) > near) continue;
+      symmetry.nodes.insert(node);
+      if (!held.contains(node) && kept.insert({node, axis}).second) c.model.prescribed.push_back({node, axis, 0});
+    }
+    if (symmetry.nodes.size() < 3)
+      throw Failure(ExitCode::misuse, std::to_string(symmetry.nodes.size()) + " nodes of the surface are on the plane of symmetry", table.where(), "at least three");
+    for (const auto& moved : c.moved)
+      for (int node : moved.nodes)
+        if (off(node) <= near && moved.motion_mm(axis) != 0)
+          throw Failure(ExitCode::misuse, "a displacement moves a node off the plane of symmetry, at " + text_mm(c.model.points[node]), table.where());
+    c.symmetries.push_back(std::move(symmetry));
   }
 }
 
@@ -186,6 +225,7 @@ void read_loads(const Settings& settings, Case& c) {
   std::set<int> held;
   read_base(settings, c, held);
   read_displacements(settings, c, held);
+  read_symmetries(settings, c, held);
   read_forces_and_springs(settings, c);
   if (!settings.has("gravity")) return;
   const Settings gravity = settings.table("gravity");

@@ -242,7 +242,7 @@ Json ResultFolder::finish(double time_reached) {
                   {"final_contact_area_mm2", contact_area_},
                   {"nodes", model.points.size()},
                   {"tets", model.tets.size()},
-                  {"base_nodes", case_->base_nodes},
+                  {"base_nodes", case_->base.size()},
                   {"steps", steps_},
                   {"cuts", cuts_},
                   {"found_by_drag", drags_},

@@ -24,7 +24,7 @@ Case case_of(Command& c, const Settings& settings, const std::filesystem::path& 
   if (mesh.empty()) c.add_input("mesh", the_case.mesh_path);
   for (std::size_t i = 0; i < the_case.tool_files.size(); ++i) c.add_input("tool " + std::to_string(i + 1), the_case.tool_files[i]);
   c.say(std::to_string(the_case.model.points.size()) + " nodes, " + std::to_string(the_case.model.tets.size()) + " tetrahedra, " +
-        std::to_string(the_case.base_nodes) + " nodes held");
+        std::to_string(the_case.base.size()) + " nodes held");
   return the_case;
 }
 

@@ -1,32 +1,27 @@
-# The block of bench/calculix pushed down over its whole top, by GetFEM: a third code for the force at 6 mm.
+# The patch of bench/calculix pressed into its block, by GetFEM: a third code for the force at 6 mm.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A block of 40 x 40 x 20 mm, bottom held, whole top pushed down 6 mm and sticking, kappa = 100 mu: a quarter, quadratic displacements and linear
-pressure on structured tetrahedra that get smaller towards the edges, where stress is singular; or all alike, as bench/calculix has them.
+"""A block of 40 x 40 x 20 mm, bottom held, a square patch of 20 x 20 mm of its top pushed down 6 mm and sticking: a quarter, quadratic displacements
+and linear pressure on the structured tetrahedra of bench-quarter-block.
 
-    /usr/bin/python3 bench/getfem/patch_on_block.py LAW [uniform] CELLS [CELLS ...]      LAW: neo_hookean, mooney_rivlin or yeoh; CELLS: along 20 mm
+    /usr/bin/python3 bench/getfem/patch_on_block.py LAW RATIO POWER CELLS [CELLS ...]
 
-Prints cells, unknowns and the force in N (Renard and Poulios 2020, ACM Trans. Math. Softw. 47:4; Debian: python3-getfem). Numbers kept, not asserted.
+LAW: neo_hookean, mooney_rivlin or yeoh; RATIO: bulk modulus over shear modulus; POWER: cells get finer towards the patch's edge (1: all alike); CELLS: in half
+the patch, as many beside it, twice as many in depth. Prints cells, unknowns and the force in N (Renard and Poulios 2020, ACM Trans. Math. Softw. 47:4; Debian:
+python3-getfem), and of the last three the limit for h -> 0 with its order. Numbers kept, not asserted.
 """
 import sys
 
 import getfem as gf
 import numpy as np
 
-SIDE, HEIGHT, DEPTH, STEPS = 20.0, 20.0, 6.0, 6
+SIDE, HALF, HEIGHT, DEPTH, STEPS = 20.0, 10.0, 20.0, 6.0, 6
 LAWS = {"neo_hookean": (0.00335, 0.0, 0.0, 0.0), "mooney_rivlin": (0.083, 0.0, 0.0, 0.0565), "yeoh": (0.0034, 0.0012, 0.0005, 0.0)}  # C10, C20, C30, C01
 
 
-POWER = 1.0 if "uniform" in sys.argv else 2.0
 
-
-def towards(end, cells, power=POWER):
+def towards(end, cells, power):
     """Coordinates from 0 to `end`, finer there."""
     return end * (1 - (1 - np.linspace(0, 1, cells + 1)) ** power)
-
-
-def towards_both(height, cells):
-    half = towards(height / 2, cells // 2)
-    return np.concatenate([height / 2 - half[::-1], height / 2 + half[1:]])
 
 
 def faces_at(mesh, axis, value):
@@ -36,18 +31,21 @@ def faces_at(mesh, axis, value):
     return faces[:, keep]
 
 
-def force(law, cells):
+def force(law, ratio, power, cells):
     c10, c20, c30, c01 = LAWS[law]
-    mesh = gf.Mesh("regular simplices", towards(SIDE, cells), towards(SIDE, cells), towards_both(HEIGHT, cells))
-    for region, (axis, value) in enumerate([(2, 0.0), (2, HEIGHT), (0, 0.0), (1, 0.0)], start=1):
-        mesh.set_region(region, faces_at(mesh, axis, value))
+    across = np.concatenate([towards(HALF, cells, power), (SIDE - towards(SIDE - HALF, cells, power))[::-1][1:]])
+    mesh = gf.Mesh("regular simplices", across, across, towards(HEIGHT, 2 * cells, power))
+    points, top = mesh.pts(), faces_at(mesh, 2, HEIGHT)
+    patch = [k for k in range(top.shape[1]) if np.all(points[:2, mesh.pid_in_faces(top[:, k : k + 1])] < HALF + 1e-9)]
+    for region, faces in enumerate([faces_at(mesh, 2, 0.0), top[:, patch], faces_at(mesh, 0, 0.0), faces_at(mesh, 1, 0.0)], start=1):
+        mesh.set_region(region, faces)
     u, p = gf.MeshFem(mesh, 3), gf.MeshFem(mesh, 1)
     u.set_classical_fem(2), p.set_classical_fem(1)
     inside = gf.MeshIm(mesh, gf.Integ("IM_TETRAHEDRON(5)"))
     model = gf.Model("real")
     model.add_fem_variable("u", u)
     model.add_fem_variable("p", p)
-    for name, value in (("c10", c10), ("c20", c20), ("c30", c30), ("c01", c01), ("kappa", 100 * 2 * (c10 + c01))):
+    for name, value in (("c10", c10), ("c20", c20), ("c30", c30), ("c01", c01), ("kappa", ratio * 2 * (c10 + c01))):
         model.add_initialized_data(name, [value])
     model.add_macro("F", "Id(3)+Grad_u")
     model.add_macro("C", "(F')*F")
@@ -67,12 +65,33 @@ def force(law, cells):
     for step in range(1, STEPS + 1):
         model.set_variable("down", [0.0, 0.0, -DEPTH * step / STEPS])
         model.solve("max_res", 1e-9, "max_iter", 30, "lsolver", "mumps", "lsearch", "simplest")
-    # Virtual work of the stress on a field that is one over the top: the force of the top, whatever the field is inside.
-    stress = f"(Diff(W,u,[0;0;X(3)/{HEIGHT}]) + p*(Det(F)*Inv(F')):[[0,0,0],[0,0,0],[0,0,1/{HEIGHT}]])"
-    return -4 * gf.asm_generic(inside, 0, stress, -1, model), u.nbdof() + p.nbdof()
+    forces = gf.asm_generic(inside, 1, "Diff(W,u,Test_u) + p*(Det(F)*Inv(F')):Grad_Test_u", -1, model).reshape(-1)
+    first, count = model.interval_of_variable("u")
+    on_patch = u.basic_dof_on_region(2)
+    return -4 * forces[first : first + count][on_patch[on_patch % 3 == 2]].sum(), u.nbdof() + p.nbdof()
+
+
+def limit(cells, forces):
+    """Order and value for h -> 0 of the last three: (f0 - f1)/(f1 - f2) = (h0^p - h1^p)/(h1^p - h2^p), rising with p; None where no order fits."""
+    if len(cells) < 3:
+        return None
+    h, f = 1 / np.array(cells[-3:], float), forces[-3:]
+    of = lambda p: (h[0] ** p - h[1] ** p) / (h[1] ** p - h[2] ** p)
+    ratio, low, high = (f[0] - f[1]) / (f[1] - f[2]), 0.2, 6.0
+    if not of(low) < ratio < of(high):
+        return None
+    for _ in range(100):
+        p = (low + high) / 2
+        low, high = (p, high) if of(p) < ratio else (low, p)
+    return p, f[2] - (f[1] - f[2]) * h[2] ** p / (h[1] ** p - h[2] ** p)
 
 
 gf.util_trace_level(0)
-for cells in [int(word) for word in sys.argv[2:] if word != "uniform"]:
-    newtons, unknowns = force(sys.argv[1], cells)
-    print(f"{sys.argv[1]} {cells} cells, {unknowns} unknowns: {newtons:.5f} N", flush=True)
+law, ratio, power = sys.argv[1], float(sys.argv[2]), float(sys.argv[3])
+cells, forces = [int(word) for word in sys.argv[4:]], []
+for n in cells:
+    newtons, unknowns = force(law, ratio, power, n)
+    forces.append(newtons)
+    print(f"{law}, kappa = {ratio:g} mu: {n} cells, {unknowns} unknowns: {newtons:.5f} N", flush=True)
+if found := limit(cells, forces):
+    print(f"order {found[0]:.2f}, limit {found[1]:.5f} N")

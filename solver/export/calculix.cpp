@@ -130,21 +130,20 @@ void write_amplitudes(std::ostream& out, const implicit::Model& model, double en
 struct Motion {
   double value = 0;
   int amplitude = 0;
-  bool operator==(const Motion&) const = default;
 };
 
-/// Components of nodes, in the middle of edges too, amplitude by amplitude.
-void write_boundary(std::ostream& out, const implicit::Model& model, const std::map<Edge, int>& middle) {
+/// Components of nodes, amplitude by amplitude; in the middle of edges too, whose ends belong to the same base, patch or plane.
+void write_boundary(std::ostream& out, const Case& c, const std::map<Edge, int>& middle) {
   std::map<std::array<int, 2>, Motion> motions;
-  for (const auto& p : model.prescribed)
-    if (p.component < 3) motions[{p.node, p.component}] = {p.value, p.amplitude};
-  const auto corners = motions;
-  for (const auto& [ends, node] : middle)
-    for (int component = 0; component < 3; ++component) {
-      const auto a = corners.find({ends[0], component}), b = corners.find({ends[1], component});
-      if (a != corners.end() && b != corners.end() && a->second == b->second) motions[{node, component}] = a->second;
-    }
-  for (std::size_t amplitude = 0; amplitude < model.amplitudes.size(); ++amplitude) {
+  const auto add = [&](const std::set<int>& nodes, int component, const Motion& motion) {
+    for (int node : with_middles(nodes, middle)) motions.try_emplace({node, component}, motion);
+  };
+  for (int component = 0; component < 3; ++component) {
+    add(c.base, component, {});
+    for (const auto& moved : c.moved) add(moved.nodes, component, {moved.motion_mm(component), moved.amplitude});
+  }
+  for (const auto& symmetry : c.symmetries) add(symmetry.nodes, symmetry.axis, {});
+  for (std::size_t amplitude = 0; amplitude < c.model.amplitudes.size(); ++amplitude) {
     std::ostringstream lines;
     lines << std::setprecision(12);
     for (const auto& [at, motion] : motions)
@@ -154,16 +153,11 @@ void write_boundary(std::ostream& out, const implicit::Model& model, const std::
   }
 }
 
-/// The sets whose forces are asked for: what is held and not moved, then each patch that is moved.
+/// The sets whose forces are asked for: each patch that is moved, then what is held.
 std::vector<std::pair<std::string, std::set<int>>> printed_sets(const Case& c) {
-  std::set<int> base;
-  for (const auto& p : c.model.prescribed) base.insert(p.node);
   std::vector<std::pair<std::string, std::set<int>>> sets;
-  for (std::size_t i = 0; i < c.moved.size(); ++i) {
-    sets.push_back({"MOVED" + std::to_string(i + 1), c.moved[i].nodes});
-    for (int node : c.moved[i].nodes) base.erase(node);
-  }
-  if (!base.empty()) sets.push_back({"BASE", base});
+  for (std::size_t i = 0; i < c.moved.size(); ++i) sets.push_back({"MOVED" + std::to_string(i + 1), c.moved[i].nodes});
+  if (!c.base.empty()) sets.push_back({"BASE", c.base});
   return sets;
 }
 
@@ -171,11 +165,11 @@ std::vector<std::pair<std::string, std::set<int>>> printed_sets(const Case& c) {
 
 void refuse_what_cannot_be_said(const std::filesystem::path& file, const Case& c) {
   const Settings settings = Settings::read(file);
-  const std::set<std::string> known = {"schema", "mesh", "material", "base", "displacement", "steps"};
+  const std::set<std::string> known = {"schema", "mesh", "material", "base", "displacement", "symmetry", "steps"};
   for (const auto& key : settings.keys())
     if (!known.contains(key))
       throw Failure(ExitCode::refused, "the file for CalculiX cannot say [" + key + "]", settings.where(key),
-                    "leave it out; [base], [[displacement]] and [material] are carried");
+                    "leave it out; [base], [[displacement]], [[symmetry]] and [material] are carried");
   const auto tables = settings.tables("material");
   for (std::size_t i = 0; i < c.model.materials.size(); ++i) {
     const auto& m = c.model.materials[i];
@@ -202,7 +196,7 @@ std::string input(const Case& c, double bulk_ratio) {
   write_materials(out, c.model, bulk_ratio);
   write_amplitudes(out, c.model, end);
   out << "*STEP, NLGEOM, INC=100000\n*STATIC\n" << step << ", " << end << ", " << 1e-6 * end << ", " << step << "\n";
-  write_boundary(out, c.model, middle);
+  write_boundary(out, c, middle);
   for (const auto& [name, nodes] : sets) out << "*NODE PRINT, NSET=" << name << ", TOTALS=ONLY\nRF\n";
   out << "*END STEP\n";
   return out.str();

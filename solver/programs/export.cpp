@@ -13,11 +13,11 @@ void usage(Usage& u) {
   u.name = "export";
   u.sentence = "Writes a case as input of another solver: CalculiX (.inp, Abaqus' syntax), for a second opinion.";
   u.details =
-      "Tetrahedra become quadratic ones (C3D10) with straight edges; [base] and [[displacement]] also take the nodes in the middle of edges\n"
-      "whose ends both belong, so that a patch is as rigid as in palpate-solve. Run it with `ccx -i model`: model.dat then holds the total\n"
+      "Tetrahedra become quadratic ones (C3D10) with straight edges; [base], [[displacement]] and [[symmetry]] also take the nodes in the middle\n"
+      "of edges whose ends both belong, so that a patch is as rigid as in palpate-solve. Run it with `ccx -i model`: model.dat then holds the total\n"
       "force on the node sets MOVED1, MOVED2, … and BASE at every increment. Laws: neo_hookean, mooney_rivlin, yeoh, ogden; a volume energy\n"
       "given by kappa or D1 is the same in both. Tools, forces, springs and gravity are refused (exit code 6).";
-  u.input("case", "case.toml", "the case: mesh, [material], [base], [[displacement]], [steps]");
+  u.input("case", "case.toml", "the case: mesh, [material], [base], [[displacement]], [[symmetry]], [steps]");
   u.output("model", "model.inp", "input of CalculiX");
   u.file("mesh", "the mesh to use instead of the one the case names");
   u.real("bulk-ratio", 1000, "1", {10, 1e6},

@@ -153,7 +153,7 @@ TEST_F(CaseFile, EffectsOfEverySocketGoWhereTheyBelong) {
   for (const auto& tet : c.model.starts)
     for (const auto& start : tet) stiffest = std::max(stiffest, start.modulus);
   EXPECT_EQ(stiffest, 4);
-  EXPECT_EQ(read_whole(neo_hookean, ball + with("name = \"support\"\nstiffness = 0.01\n" + top)).base_nodes, 0);  // holds it alone
+  EXPECT_EQ(read_whole(neo_hookean, ball + with("name = \"support\"\nstiffness = 0.01\n" + top)).base.size(), 0);  // holds it alone
 }
 
 TEST_F(CaseFile, ThicknessMapsTheRestShapeAndNotThePatches) {

@@ -12,7 +12,8 @@ law_of() {
   esac
 }
 
-# write_case <law> <bulk modulus over shear modulus, or "incompressible"> <steps> <half the patch, mm, whole>: case.toml on stdout.
+# write_case <law> <bulk modulus over shear modulus, or "incompressible"> <steps> <half the patch, mm, whole> [quarter]: case.toml on stdout, of
+# the block or of its quarter x, y > 0.
 write_case() {
   local shear
   shear=$(law_of "$1" | sed -n 's/^#//p')
@@ -29,6 +30,9 @@ motion_mm = [0.0, 0.0, -6.0]
 count = $3
 frames = 1
 CASE
+  [ "${5:-}" != quarter ] || for normal in "1.0, 0.0, 0.0" "0.0, 1.0, 0.0"; do
+    printf '[[symmetry]]\nplane = { point_mm = [0.0, 0.0, 0.0], normal = [%s] }\n' "$normal"
+  done
 }
 
 # Both print the force at 6 mm in N and the processor seconds it took, in <folder>, of case.toml there and the mesh named.
