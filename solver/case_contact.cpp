@@ -1,4 +1,4 @@
-// Reading who may touch whom: [[contact]] between = ["a", "b"], or self = "a".
+// Reading who may touch whom: [[contact]] between = ["a", "b"], or self = "a"; and how rough they are to each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
@@ -54,7 +54,8 @@ void read_contacts(const Settings& settings, Case& c) {
     const auto names = table.has("self") ? std::vector{table.choice("self", known)} : pair_of_names(table, known);
     std::vector<std::vector<int>> faces(2);
     for (std::size_t i = 0; i < names.size(); ++i) faces[i] = faces_of(names[i], c, tets, table.where());
-    for (auto& pass : contact::passes_between(faces[0], faces[1], hang_together(c.model, faces[0], faces[1]), static_cast<int>(c.contacts.size())))
+    const double friction = coulombs_coefficient(table);
+    for (auto& pass : contact::passes_between(faces[0], faces[1], hang_together(c.model, faces[0], faces[1]), static_cast<int>(c.contacts.size()), friction))
       c.model.passes.push_back(std::move(pass));
     c.contacts.push_back(names);
   }

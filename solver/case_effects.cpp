@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/case_parts.hpp>
 
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -45,6 +46,11 @@ std::vector<double> effect_parameters(const effects::Effect& effect, const Setti
 }
 
 }  // namespace
+
+double coulombs_coefficient(const Settings& table) {
+  const bool sticks = table.flag("sticking", false);
+  return sticks ? std::numeric_limits<double>::infinity() : table.real("friction", 0, effects::friction().entry.parameters.front().range);
+}
 
 effects::Active read_effect(const Settings& table) {
   const effects::Effect effect = named(effects::all(), table, "name");

@@ -186,8 +186,7 @@ contact::Tool read_tool(const Settings& settings, Case& c, Vector3d& aim) {
   if (!settings.has("path")) largest = tool.force_controlled ? settings.real("force_N", {1e-9, 1e6}) : settings.real("depth_mm", {1e-6, 1e3});
   tool.ramp = read_path(settings, tool.force_controlled ? settings.real("duration_s", 1, {1e-6, 1e6}) : tool.depth / speed, largest);
   if (settings.has("turn")) read_turn(settings.table("turn"), tool);
-  const bool sticks = settings.flag("sticking", false);
-  const double friction = sticks ? std::numeric_limits<double>::infinity() : settings.real("friction", 0, {0, 10});
+  const double friction = coulombs_coefficient(settings);
   if (friction > 0) tool.tractions.push_back({effects::friction(), {friction}});
   for (const auto& given : c.effects)
     if (given.effect.traction.respond && given.parameters[0] != 0 && (given.tool == 0 || given.tool == static_cast<int>(c.model.tools.size()) + 1))

@@ -39,6 +39,9 @@ void plan_settling(Case& c, int steps);
 /// Name and numbers of one [[effect]]. Throws Failure(misuse).
 effects::Active read_effect(const Settings& table);
 
+/// `friction`, or infinite with `sticking`, of a [[tool]] or a [[contact]].
+double coulombs_coefficient(const Settings& table);
+
 /// [[effect]] into the model; what is on tools waits for them in Case::effects.
 void read_effects(const Settings& settings, Case& c);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/moved_case.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -23,7 +24,13 @@ double small_change(const std::string& path, double value) {
 /// Where nothing moves, any friction sticks; the secant to this coefficient stands in for its derivative.
 constexpr double finite_friction = 0.05;
 
-bool needs_secant(const Case& still, const Case& moved) { return implicit::has_friction(moved.model) && !implicit::has_friction(still.model); }
+/// Surfaces that rub: tools, and ways of looking between organs.
+long rubbing(const implicit::Model& model) {
+  return std::count_if(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.holds_on(); }) +
+         std::count_if(model.passes.begin(), model.passes.end(), [](const auto& pass) { return pass.friction > 0; });
+}
+
+bool needs_secant(const Case& still, const Case& moved) { return rubbing(moved.model) > rubbing(still.model); }
 
 Case shifted_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, double change) {
   Settings moved = Settings::read(settings.file());

@@ -9,6 +9,7 @@
 #include <palpate/errors.hpp>
 #include <solver/moved_case.hpp>
 #include <solver/implicit/keep.hpp>
+#include <solver/implicit/slips.hpp>
 #include <solver/remesh.hpp>
 #include <solver/results.hpp>
 
@@ -33,10 +34,16 @@ implicit::BlockMatrix matrix_of(const implicit::Model& model) {
   return {static_cast<int>(model.points.size()), model.tets, implicit::is_conservative(model)};
 }
 
-/// Whether a point of contact slides in one and sticks in the other: the run is where derivatives are of one side.
-bool slides_elsewhere(const implicit::ContactSums& a, const implicit::ContactSums& b) {
-  for (std::size_t i = 0; i < a.points.size(); ++i)
-    if (a.points[i].slides != b.points[i].slides) return true;
+/// Whether a point of contact would slide aside and sticks in the run, or the other way round: the run is where derivatives are of one side.
+bool slides_elsewhere(const implicit::ContactSums& aside, const implicit::ContactSums& run) {
+  for (std::size_t i = 0; i < aside.points.size(); ++i)
+    if (aside.points[i].beyond != run.points[i].slides) return true;
+  for (std::size_t i = 0, j = 0; i < aside.pairs.size() && j < run.pairs.size();) {  // ascending; those that touch in both
+    const auto &a = aside.pairs[i], &b = run.pairs[j];
+    if (a.at == b.at && a.beyond != b.slides) return true;
+    i += a.at <= b.at;
+    j += b.at <= a.at;
+  }
   return false;
 }
 
@@ -178,7 +185,7 @@ std::vector<std::string> Sensitivities::one_sided() const {
 /// From the run's displacements to its own: what it remembers of the step is of there.
 void Sensitivities::step_aside(Shadow& shadow, const implicit::Increment& step) {
   const auto& model = shadow.the_case.model;
-  if (shadow.state.memory.empty() && shadow.state.slips.empty()) {
+  if (shadow.state.memory.empty() && shadow.state.slips.empty() && shadow.state.pair_slips.empty()) {
     shadow.state.nodal += step.nodal;  // tools may come to where it is
     return;
   }
@@ -189,7 +196,10 @@ void Sensitivities::step_aside(Shadow& shadow, const implicit::Increment& step) 
   shadow.state.contact_pressures = std::move(pressures);
   shadow.state.pair_pressures = std::move(pair_pressures);
   shadow.assembly.let_bubbles_follow(shadow.state, known_, step.nodal);
-  if (implicit::has_friction(model)) implicit::remember_slips(model, shadow.assembly.without_tissue(shadow.state, known_, scratch_).contact.points, shadow.state);
+  if (!implicit::has_friction(model) && !implicit::organs_rub(model)) return;
+  const auto aside = shadow.assembly.without_tissue(shadow.state, known_, scratch_);
+  shadow.one_sided += slides_elsewhere(aside.contact, still_->equations.contact);
+  implicit::remember_slips(model, aside.contact, shadow.state);
 }
 
 void Sensitivities::follow(const implicit::State& found) {
@@ -212,7 +222,6 @@ void Sensitivities::follow(const implicit::State& found) {
       continue;
     }
     approach(shadow, found);
-    shadow.one_sided += slides_elsewhere(shadow.equations.contact, still_->equations.contact);
     residual_changes.col(k) = shadow.equations.residual - still_->equations.residual;
     prescribed_changes.col(k) = prescribed(shadow.the_case.model, found.time) - still_prescribed;
   }

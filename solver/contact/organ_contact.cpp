@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Row18 = Eigen::Matrix<double, 1, 18>;
-using Rows18 = Eigen::Matrix<double, 3, 18>;
 
 /// Surfaces that meet more steeply than this do not press each other: −n·m of 73 degrees.
 constexpr double facing = 0.3;
@@ -41,19 +39,18 @@ Eigen::AlignedBox3d box_of(const std::vector<int>& faces, const std::vector<Tria
   return box;
 }
 
-/// Of the triangle where the line ends: how its corners' weights change with the place in its plane, rows.
+}  // namespace
+
+std::vector<Pass> passes_between(const std::vector<int>& a, const std::vector<int>& b, bool joined, int contact, double friction) {
+  if (b.empty()) return {{a, a, true, contact, friction}};
+  return {{a, b, joined, contact, friction}, {b, a, joined, contact, friction}};
+}
+
 Matrix3d weight_gradients(const Triangle& c) {
   const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
   Matrix3d gradients;
   for (int b = 0; b < 3; ++b) gradients.row(b) = normal.cross(c[(b + 2) % 3] - c[(b + 1) % 3]) / normal.squaredNorm();
   return gradients;
-}
-
-}  // namespace
-
-std::vector<Pass> passes_between(const std::vector<int>& a, const std::vector<int>& b, bool joined, int contact) {
-  if (b.empty()) return {{a, a, true, contact}};
-  return {{a, b, joined, contact}, {b, a, joined, contact}};
 }
 
 std::vector<Meeting> meetings(const Pass& pass, const std::vector<Triangle>& rest, const std::vector<Triangle>& now) {
@@ -87,14 +84,37 @@ std::vector<Meeting> meetings(const Pass& pass, const std::vector<Triangle>& res
   return found;
 }
 
+PairGeometry pair_geometry(const Meeting& meeting, const Triangle& own, const Triangle& other) {
+  PairGeometry line;
+  const double* N = quadrature[meeting.q].N;
+  const auto& M = meeting.weights;
+  const Vector3d area = area_vector(own), x = at(own, N), m = line.other_normal = area_vector(other).normalized();
+  const Vector3d n = line.normal = area.normalized();
+  const double along = m.dot(n);
+  line.gap = m.dot(other[0] - x) / along;
+  Rows18 &by_x = line.point_by_corners = Rows18::Zero(), &by_n = line.normal_by_corners = Rows18::Zero();
+  Rows18 by_y = Rows18::Zero();  // of y's material place
+  const Matrix3d normal_part = (Matrix3d::Identity() - n * n.transpose()) / (2 * area.norm());
+  for (int a = 0; a < 3; ++a) {
+    by_x.middleCols<3>(3 * a) = N[a] * Matrix3d::Identity();
+    by_y.middleCols<3>(9 + 3 * a) = M[a] * Matrix3d::Identity();
+    by_n.middleCols<3>(3 * a) = normal_part * cross_matrix(own[(a + 2) % 3] - own[(a + 1) % 3]);
+  }
+  // m·(x + g n − y) = 0 for the plane of the other face: m·(dx + dg n + g dn − Σ M dy_b) = 0, and what is left of the bracket slides in it.
+  line.gap_by_corners = m.transpose() * (by_y - by_x - line.gap * by_n) / along;
+  const Rows18 slide = by_x + n * line.gap_by_corners + line.gap * by_n - by_y;
+  line.weights_by_corners = weight_gradients(other) * slide;
+  return line;
+}
+
 PairPoint pair_point(const Meeting& meeting, const Triangle& own_rest, const Triangle& own, const Triangle& other, double carried, double softness) {
   PairPoint point;
   const double* N = quadrature[meeting.q].N;
   const auto& M = meeting.weights;
-  const Vector3d area = area_vector(own), m = area_vector(other).normalized(), x = at(own, N);
-  const Vector3d n = point.normal = area.normalized();
-  const double along = m.dot(n), deepest = deepest_gap * face_size(own_rest);
-  point.gap = m.dot(other[0] - x) / along;
+  const PairGeometry line = pair_geometry(meeting, own, other);
+  const Vector3d n = point.normal = line.normal;
+  const double deepest = deepest_gap * face_size(own_rest);
+  point.gap = line.gap;
   const GapLaw law(carried, softness, deepest);
   const double t = law.pressure(carried, point.gap);
   if (!(t > 0)) {
@@ -104,28 +124,17 @@ PairPoint pair_point(const Meeting& meeting, const Triangle& own_rest, const Tri
   point.mismatch = std::abs(law.gap - point.gap) / deepest;
   point.pressure = t;
   point.stiffness = law.stiffness;
-
-  Rows18 by_x = Rows18::Zero(), by_y = Rows18::Zero(), by_n = Rows18::Zero();  // of x, of y's material place, of n
-  const Matrix3d normal_part = (Matrix3d::Identity() - n * n.transpose()) / (2 * area.norm());
-  for (int a = 0; a < 3; ++a) {
-    by_x.middleCols<3>(3 * a) = N[a] * Matrix3d::Identity();
-    by_y.middleCols<3>(9 + 3 * a) = M[a] * Matrix3d::Identity();
-    by_n.middleCols<3>(3 * a) = normal_part * cross_matrix(own[(a + 2) % 3] - own[(a + 1) % 3]);
-  }
-  // m·(x + g n − y) = 0 for the plane of the other face: m·(dx + dg n + g dn − Σ M dy_b) = 0, and what is left of the bracket slides in it.
-  const Row18& g = point.gap_by_corners = m.transpose() * (by_y - by_x - point.gap * by_n) / along;
-  const Rows18 slide = by_x + n * g + point.gap * by_n - by_y;
-  const Matrix3d gradients = weight_gradients(other);
+  point.gap_by_corners = line.gap_by_corners;
   const double w = quadrature[meeting.q].weight * area_vector(own_rest).norm();
   // Where a trial state is deep inside, the pressure it asks for must not turn the forces: those terms stop there, as against a tool.
   const double turning = std::min(t, carried + 2 * softness);
   point.energy = w * GapLaw::energy(t, softness, deepest);
-  const Rows18 pressing = turning * by_n - law.stiffness * n * g;
+  const Rows18 pressing = turning * line.normal_by_corners - law.stiffness * n * line.gap_by_corners;
   for (int a = 0; a < 3; ++a) {
     point.residual.segment<3>(3 * a) = w * t * N[a] * n;
     point.residual.segment<3>(9 + 3 * a) = -w * t * M[a] * n;
     point.tangent.middleRows<3>(3 * a) = w * N[a] * pressing;
-    point.tangent.middleRows<3>(9 + 3 * a) = -w * (M[a] * pressing + turning * n * (gradients.row(a) * slide));
+    point.tangent.middleRows<3>(9 + 3 * a) = -w * (M[a] * pressing + turning * n * line.weights_by_corners.row(a));
   }
   return point;
 }

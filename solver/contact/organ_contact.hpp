@@ -20,10 +20,11 @@ struct Pass {
   std::vector<int> own, other;
   bool joined = false;  ///< the faces are of one body: what lies behind a face may be the body's own back
   int contact = 0;      ///< of the case, for sums
+  double friction = 0;  ///< Coulomb's coefficient; infinite: what touches sticks
 };
 
 /// The passes of one contact: two organs look at each other, or, with `b` empty, one looks at itself. `joined`: they hang together.
-std::vector<Pass> passes_between(const std::vector<int>& a, const std::vector<int>& b, bool joined, int contact);
+std::vector<Pass> passes_between(const std::vector<int>& a, const std::vector<int>& b, bool joined, int contact, double friction = 0);
 
 /// A point that lies inside the other surface.
 struct Meeting {
@@ -34,6 +35,21 @@ struct Meeting {
 
 /// All of them, face by face and point by point. `rest` and `now`: every face of the model.
 std::vector<Meeting> meetings(const Pass& pass, const std::vector<Triangle>& rest, const std::vector<Triangle>& now);
+
+using Rows18 = Eigen::Matrix<double, 3, 18>;
+
+/// Where a point's line runs, and how that changes with the own face's corners, then the other's.
+struct PairGeometry {
+  double gap = 0;  ///< mm, negative inside
+  Eigen::Vector3d normal, other_normal;  ///< outward, unit
+  Eigen::Matrix<double, 1, 18> gap_by_corners;
+  Rows18 point_by_corners, normal_by_corners, weights_by_corners;  ///< of x, of n, of the weights of the line's end
+};
+
+PairGeometry pair_geometry(const Meeting& meeting, const Triangle& own, const Triangle& other);
+
+/// How the weights of a triangle's corners change with a place in its plane, rows, 1/mm.
+Eigen::Matrix3d weight_gradients(const Triangle& corners);
 
 /// A meeting seen from one Newton step; unknowns: the own face's corners, then the other's.
 struct PairPoint {

@@ -106,7 +106,7 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
       const auto& socket = effect.traction;
       if (!presses && !socket.reach) continue;
       const auto more = socket.respond({x - pose.travel * tool.axis, d, presses ? t : 0, presses ? stiffness : 0, softness / deepest,
-                                        face.slips ? seen_now(tool, pose, face.slips[q]) : Slip{}},
+                                        face.slips ? seen_now(tool, pose, face.slips[q]) : Slip{}, face.branches ? face.branches[q] : Branch::by_bound},
                                        values);
       // What reaches out holds the area that the tool sees, not a face at right angles to it.
       const double seen = socket.reach ? std::max(0.0, -rest_normal.dot(d.n)) : 1;
@@ -117,6 +117,7 @@ FaceContact face_contact(const Tool& tool, const Pose& pose, const Face& face, d
       if (!socket.holds_on) continue;
       result.points[q].shear = more.value;
       result.points[q].slides = more.slides;
+      result.points[q].beyond = more.beyond;
     }
     const double w = weight * rest_area;
     result.force += w * traction.value;
@@ -146,7 +147,7 @@ double next_pressure(const Point& point, int q, double before, const std::array<
 std::vector<CatalogueEntry> entries() {
   return {{"contact", "frictionless", "rigid tool on the organ's faces, normal pressure alone, perturbed Lagrangian at six points a face",
            "Simo, Wriggers, Taylor 1985, Comput. Methods Appl. Mech. Eng. 50:163", {}},
-          {"contact", "organs", "two organs, or an organ and itself, frictionless: lines along both surfaces' normals, pressures as against a tool",
+          {"contact", "organs", "two organs, or an organ and itself, frictionless, rough or sticking: lines along both surfaces' normals, pressures as against a tool",
            "Zimmerman and Ateshian 2018, J. Biomech. Eng. 140:081013", {}}};
 }
 

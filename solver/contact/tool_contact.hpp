@@ -62,6 +62,7 @@ struct Face {
   std::array<Eigen::Vector3d, 3> rest, now;
   const double* pressures = nullptr;  ///< points_per_face of them, MPa, not negative
   const Slip* slips = nullptr;        ///< points_per_face of them, for a tool that holds on
+  const Branch* branches = nullptr;   ///< points_per_face of them, in a run close beside another
 };
 
 /// A contact point seen from one Newton step: t and g(t) linearised at the pressure it carries.
@@ -71,7 +72,7 @@ struct Point {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< out of the tool
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();   ///< of the tool on the organ, MPa
   Eigen::Vector3d cling = Eigen::Vector3d::Zero();   ///< of what reaches out: of the tool on the organ, MPa
-  bool slides = false;
+  bool slides = false, beyond = false;  ///< at friction's bound; whether that says so
 };
 
 /// What a face in contact adds to the equations, and to the tool's reaction.

@@ -5,6 +5,9 @@
 
 namespace palpate::contact {
 
+/// Whether a point slides: its bound says so, or, in a run close beside another, what it does there.
+enum class Branch { by_bound, sticks, slides };
+
 /// What friction remembers of a point: where it was, seen from the tool, and the shear it carried (turned back with the tool), when the
 /// last step was found.
 struct Slip {
@@ -19,6 +22,7 @@ struct Touch {
   double pressure_slope = 0;  ///< −∂pressure/∂gap, MPa/mm
   double stiffness = 0;       ///< of elastic slip, MPa/mm
   Slip before;                ///< for what holds on
+  Branch branch = Branch::by_bound;
 };
 
 }  // namespace palpate::contact

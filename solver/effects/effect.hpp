@@ -79,11 +79,8 @@ struct LayerSocket {
 struct Traction {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
   Eigen::Matrix3d by_place = Eigen::Matrix3d::Zero();
-  bool slides = false;
+  bool slides = false, beyond = false;  ///< at its bound; whether the bound says so
 };
-
-/// What slid is remembered with this part less of its shear: when nothing moves on, it sticks, and rounding does not decide.
-constexpr double inside_the_cone = 1e-5;
 
 /// Socket `traction`, at a point of contact with a tool, besides the contact's own pressure.
 struct TractionSocket {
@@ -93,8 +90,7 @@ struct TractionSocket {
   bool holds_on = false;  ///< it needs Touch::before, and its value is what is remembered as the shear there; not symmetric
 };
 
-/// Whether a point slides: its bound says so, or, in a run close beside another, what it does there.
-enum class Branch { by_bound, sticks, slides };
+using contact::Branch;
 
 /// A point of a region of the surface, as effects on the forces see it.
 struct Held {

@@ -8,7 +8,7 @@ namespace palpate::effects {
 namespace {
 
 constexpr double never_slips = 1e6;
-/// As effects::inside_the_cone; wider, because what is pressed lightly here slides by little.
+/// As contact::inside_the_cone; wider, because what is pressed lightly here slides by little.
 constexpr double inside_the_bound = 1e-4;
 
 bool bonded(std::span<const double> p) { return p[2] == never_slips; }

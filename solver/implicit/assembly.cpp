@@ -11,9 +11,6 @@
 namespace palpate::implicit {
 namespace {
 
-/// A pressure of 2 μ takes half of the penetration that is allowed.
-constexpr double softness_over_shear_modulus = 2;
-
 /// Body force at the centroid of each sub-tetrahedron: three corners and the barycentre.
 elements::BodyForce body_force_of(const Model& model, int tet) {
   constexpr double kg_per_m3 = 1e-9;  // in kg/mm³: times m/s², N/mm³
@@ -33,7 +30,7 @@ Assembly::Assembly(const Model& model, int threads) : model_(model), threads_(th
   }
   if (!model.passes.empty()) around_ = nodes_around(model);
   if (model.tools.empty() && model.passes.empty()) return;
-  for (int t : tets_of_faces(model)) softness_.push_back(softness_over_shear_modulus * model.materials[model.tet_material[t]].shear_modulus());
+  softness_ = softness_of_faces(model);
 }
 
 /// Adding takes a sixth of computing or less: few threads seldom wait for their turn.
@@ -90,12 +87,14 @@ void Assembly::add_loads(const State& state, Equations& equations, BlockMatrix& 
 /// Where a face's contact pressures begin in the state.
 std::size_t Assembly::first_point(int tool, int face) const { return contact::points_per_face * (tool * model_.faces.size() + face); }
 
-contact::Face Assembly::face_at(int index, int f, const State& state) const {
+contact::Face Assembly::face_at(int index, int f, const State& state, const Neighbourhood* beside) const {
   contact::Face face;
-  for (int a = 0; a < 3; ++a) face.rest[a] = model_.points[model_.faces[f][a]];
+  face.rest = corners_at_rest(model_, f);
   face.now = corners_now(model_, state, f);
   face.pressures = &state.contact_pressures[first_point(index, f)];
-  if (model_.tools[index].holds_on()) face.slips = &state.slips[first_point(index, f)];
+  if (!model_.tools[index].holds_on()) return face;
+  face.slips = &state.slips[first_point(index, f)];
+  if (beside && !beside->on_tools.empty()) face.branches = &beside->on_tools[first_point(index, f)];
   return face;
 }
 
@@ -134,7 +133,7 @@ void Assembly::sum_up(int index, const contact::FaceContact& contact, const std:
   }
 }
 
-void Assembly::add_contact(int index, const State& state, Equations& equations, BlockMatrix& tangent) const {
+void Assembly::add_contact(int index, const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const {
   const contact::Tool& tool = model_.tools[index];
   const contact::Pose now = pose(model_, state, index);
   auto& sums = equations.contact;
@@ -144,7 +143,7 @@ void Assembly::add_contact(int index, const State& state, Equations& equations, 
   if (tool.force_controlled) own.along_by_nodes = own.by_travel;
   for (std::size_t f = 0; f < model_.faces.size(); ++f) {
     const auto& nodes = model_.faces[f];
-    const contact::Face face = face_at(index, f, state);
+    const contact::Face face = face_at(index, f, state, beside);
     const auto contact = contact::face_contact(tool, now, face, softness_[f]);
     sums.penetration = std::max(sums.penetration, contact.penetration);
     sums.mismatch = std::max(sums.mismatch, contact.mismatch);
@@ -179,7 +178,7 @@ Equations Assembly::empty_equations(const State& state) const {
 Equations Assembly::operator()(State& state, BlockMatrix& tangent, Neighbourhood* known) const {
   Equations equations = empty_equations(state);
   const auto meetings = meetings_of(state);
-  tangent.extend(touching_nodes(meetings));
+  tangent.extend(touching_nodes(meetings, state));
   tangent.set_zero(threads_);
   if (known) {
     known->parameters.clear();
@@ -190,6 +189,7 @@ Equations Assembly::operator()(State& state, BlockMatrix& tangent, Neighbourhood
   }
   add_elements(state, equations, tangent, known);
   if (equations.fault == elements::ElementFault::none) add_rest(meetings, state, equations, tangent);
+  if (known) learn_friction(equations.contact, *known);
   return equations;
 }
 
@@ -199,8 +199,8 @@ void Assembly::add_rest(const Meetings& meetings, const State& state, Equations&
   add_pressures(state, equations, tangent);
   add_layers(state, equations, tangent);
   add_region_forces(state, equations, tangent, beside);
-  for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent);
-  add_organ_contact(meetings, state, equations, tangent);
+  for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i) add_contact(i, state, equations, tangent, beside);
+  add_organ_contact(meetings, state, equations, tangent, beside);
 }
 
 Eigen::VectorXd Assembly::change_by_time(const Equations& equations, double from, double to) const {

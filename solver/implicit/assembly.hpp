@@ -30,6 +30,8 @@ struct PairPlace {
   std::size_t at = 0;
   std::array<int, 6> nodes;
   contact::PairPoint point;
+  bool rubs = false, slides = false, beyond = false;  ///< friction there is; at its bound; whether that says so
+  contact::PairSlip after;            ///< what friction remembers if the step is accepted
 };
 
 struct ContactSums {
@@ -115,13 +117,16 @@ class Assembly {
   void add_layers(const State& state, Equations& equations, BlockMatrix& tangent) const;
   void add_region_forces(const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const;
   void learn_region_forces(const State& state, Neighbourhood& known) const;
+  void learn_friction(const ContactSums& contact, Neighbourhood& known) const;
   Eigen::Vector3d region_forces_on_organs(const State& state) const;
   void remember_region_forces(const State& state, std::vector<double>& memory, const Neighbourhood* beside) const;
   void sum_up(int tool, const contact::FaceContact& contact, const std::array<int, 3>& nodes, const contact::Face& face,
               const contact::Pose& pose, ToolSums& sums) const;
   Meetings meetings_of(const State& state) const;
-  std::vector<std::array<int, 2>> touching_nodes(const Meetings& meetings) const;
-  void add_organ_contact(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent) const;
+  std::vector<std::array<int, 2>> touching_nodes(const Meetings& meetings, const State& state) const;
+  void add_organ_contact(const Meetings& meetings, const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const;
+  Eigen::Vector3d add_shear(const contact::Pass& pass, const contact::Meeting& meeting, const State& state, PairPlace& place, Equations& equations, BlockMatrix& tangent,
+                            const Neighbourhood* beside) const;
   void add_pair(const PairPlace& place, Equations& equations, BlockMatrix& tangent) const;
   std::size_t first_point(int tool, int face) const;
   Conjugates tool_conjugates(const State& state, const Equations& equations) const;
@@ -130,8 +135,8 @@ class Assembly {
   Conjugates cling_conjugates(const State& state, const Equations& equations) const;
   Conjugates slip_conjugates(const State& state) const;
   double body_potential(const State& state) const;
-  contact::Face face_at(int tool, int face, const State& state) const;
-  void add_contact(int tool, const State& state, Equations& equations, BlockMatrix& tangent) const;
+  contact::Face face_at(int tool, int face, const State& state, const Neighbourhood* beside = nullptr) const;
+  void add_contact(int tool, const State& state, Equations& equations, BlockMatrix& tangent, const Neighbourhood* beside) const;
 
   const Model& model_;
   int threads_;

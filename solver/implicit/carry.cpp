@@ -4,14 +4,12 @@
 
 #include <algorithm>
 
+#include <solver/implicit/slips.hpp>
+
 namespace palpate::implicit {
 namespace {
 
 using Eigen::Vector3d;
-
-std::array<Vector3d, 3> at_rest(const Model& model, const std::array<int, 3>& face) {
-  return {model.points[face[0]], model.points[face[1]], model.points[face[2]]};
-}
 
 /// Which of a face's points lies nearest to `x`, in the face's own weights.
 int nearest_point(const std::array<Vector3d, 3>& corners, const Vector3d& x) {
@@ -34,7 +32,7 @@ int nearest_point(const std::array<Vector3d, 3>& corners, const Vector3d& x) {
 /// The old face's points that the six points of a new face take their values from.
 std::array<int, contact::points_per_face> sources(const Model& old_model, const Model& model, int face, int parent) {
   std::array<int, contact::points_per_face> list{};
-  const auto own = at_rest(model, model.faces[face]), whole = at_rest(old_model, old_model.faces[parent]);
+  const auto own = corners_at_rest(model, face), whole = corners_at_rest(old_model, parent);
   for (int q = 0; q < contact::points_per_face; ++q) {
     const auto& N = contact::quadrature[q].N;
     list[q] = nearest_point(whole, N[0] * own[0] + N[1] * own[1] + N[2] * own[2]);
@@ -101,6 +99,7 @@ void carry_contact(const Model& old_model, const State& old_state, const Model& 
         state.contact_pressures[to] = old_state.contact_pressures[at];
         if (!state.slips.empty()) state.slips[to].shear = old_state.slips[at].shear;
       }
+  std::vector<Vector3d> shears(state.pair_slips.size(), Vector3d::Zero());
   std::size_t first = 0, old_first = 0;
   for (std::size_t p = 0; p < model.passes.size(); ++p) {
     const auto &own = model.passes[p].own, &old_own = old_model.passes[p].own;
@@ -108,12 +107,16 @@ void carry_contact(const Model& old_model, const State& old_state, const Model& 
     for (std::size_t i = 0; i < old_own.size(); ++i) place[old_own[i]] = static_cast<int>(i);
     for (std::size_t i = 0; i < own.size(); ++i) {
       const int parent = origins.faces[own[i]];
-      for (int q = 0; q < points && parent >= 0 && place[parent] >= 0; ++q)
-        state.pair_pressures[first + i * points + q] = old_state.pair_pressures[old_first + place[parent] * points + from[own[i]][q]];
+      for (int q = 0; q < points && parent >= 0 && place[parent] >= 0; ++q) {
+        const std::size_t to = first + i * points + q, at = old_first + place[parent] * points + from[own[i]][q];
+        state.pair_pressures[to] = old_state.pair_pressures[at];
+        if (!shears.empty()) shears[to] = old_state.pair_slips[at].shear;
+      }
     }
     first += own.size() * points;
     old_first += old_own.size() * points;
   }
+  if (!shears.empty()) anchor_again(model, shears, state);
 }
 
 }  // namespace
@@ -125,7 +128,7 @@ State carried(const Model& old_model, const State& old_state, const Model& model
   state.travels = old_state.travels;
   for (std::size_t n = 0; n < model.points.size(); ++n)
     for (int i = 0; i < 4; ++i) state.nodal.segment<4>(4 * n) += origins.weights[n][i] * old_state.nodal.segment<4>(4 * origins.nodes[n][i]);
-  if (!state.slips.empty()) remember_slips(model, {}, state);  // places: where the points are now
+  remember_slips(model, {}, state);  // places: where the points are now
   carry_contact(old_model, old_state, model, origins, state);
   carry_memory(old_model, old_state, model, origins, state);
   carry_beds(old_model, old_state, model, origins, state);

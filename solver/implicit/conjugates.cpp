@@ -36,6 +36,15 @@ double size_of_face(const Model& model, int face) {
   return contact::face_size({model.points[nodes[0]], model.points[nodes[1]], model.points[nodes[2]]});
 }
 
+/// Calls `visit` with a point's own face, its anchor's, its number there, and what it remembers.
+template <class Visit>
+void for_each_pair_slip(const Model& model, const State& state, const Visit& visit) {
+  std::size_t at = 0;
+  for (const auto& pass : model.passes)
+    for (int own : pass.own)
+      for (int q = 0; q < contact::points_per_face && !state.pair_slips.empty(); ++q, ++at) visit(own, state.pair_slips[at].face, q, state.pair_slips[at]);
+}
+
 }  // namespace
 
 Conjugates Assembly::tool_conjugates(const State& state, const Equations& equations) const {
@@ -92,7 +101,7 @@ Conjugates Assembly::support_conjugates(const State& state) const {
   return pairs.conjugates();
 }
 
-/// Seen from the tool; what the organ loses there.
+/// Seen from the tool, and of organs from each other; what they lose there.
 Conjugates Assembly::slip_conjugates(const State& state) const {
   Gathered pairs;
   for (int i = 0; i < static_cast<int>(model_.tools.size()); ++i)
@@ -101,6 +110,7 @@ Conjugates Assembly::slip_conjugates(const State& state) const {
         const auto& slip = state.slips[first_point(i, f) + q];
         pairs.add(-point_area(model_, f, q) * slip.shear, slip.place);
       }
+  for_each_pair_slip(model_, state, [&](int own, int, int q, const contact::PairSlip& slip) { pairs.add(-point_area(model_, own, q) * slip.shear, slip.way); });
   return pairs.conjugates();
 }
 
@@ -111,6 +121,11 @@ double Assembly::stored_in_slips(const State& state) const {
       const double softness = contact::deepest_gap * size_of_face(model_, f) / softness_[f];  // mm/MPa
       for (int q = 0; q < contact::points_per_face; ++q) sum += point_area(model_, f, q) * softness / 2 * state.slips[first_point(i, f) + q].shear.squaredNorm();
     }
+  for_each_pair_slip(model_, state, [&](int own, int other, int q, const contact::PairSlip& slip) {
+    if (other < 0) return;
+    const double stiffness = contact::slip_stiffness(corners_at_rest(model_, own), std::min(softness_[own], softness_[other]));
+    sum += point_area(model_, own, q) / stiffness / 2 * slip.shear.squaredNorm();
+  });
   return sum;
 }
 

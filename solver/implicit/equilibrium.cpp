@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <solver/implicit/keep.hpp>
+#include <solver/implicit/slips.hpp>
 
 namespace palpate::implicit {
 namespace {
@@ -227,7 +228,7 @@ std::optional<Found> Equilibrium::accept(Trial& trial, State& state) {
   state = std::move(trial.state);
   at_equilibrium_ = true;
   last_found_ = trial.equations;
-  if (has_friction(model_)) remember_slips(model_, trial.equations.contact.points, state);
+  remember_slips(model_, trial.equations.contact, state);
   return Found{trial.iterations, std::move(trial.history), std::move(trial.equations)};
 }
 

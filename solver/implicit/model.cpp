@@ -1,6 +1,6 @@
 // Gathering an element's unknowns.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <solver/implicit/model.hpp>
+#include <solver/implicit/slips.hpp>
 
 #include <algorithm>
 #include <map>
@@ -20,12 +20,16 @@ State rest_state(const Model& model) {
   std::size_t memory = memory_starts(model).back();
   for (const auto& bed : model.region_forces) memory += bed.memory() * bed.points.size();
   state.memory.assign(memory, 0.0);
-  if (has_friction(model)) remember_slips(model, {}, state);
+  remember_slips(model, {}, state);
   return state;
 }
 
 bool has_friction(const Model& model) {
   return std::any_of(model.tools.begin(), model.tools.end(), [](const auto& tool) { return tool.holds_on(); });
+}
+
+bool organs_rub(const Model& model) {
+  return std::any_of(model.passes.begin(), model.passes.end(), [](const auto& pass) { return pass.friction > 0; });
 }
 
 bool has_force_control(const Model& model) {
@@ -89,6 +93,13 @@ std::vector<int> tets_of_faces(const Model& model) {
   return tets;
 }
 
+std::vector<double> softness_of_faces(const Model& model) {
+  constexpr double over_shear_modulus = 2;  // a pressure of 2 μ takes half of the penetration that is allowed
+  std::vector<double> softness;
+  for (int t : tets_of_faces(model)) softness.push_back(over_shear_modulus * model.materials[model.tet_material[t]].shear_modulus());
+  return softness;
+}
+
 std::vector<std::vector<int>> nodes_around(const Model& model) {
   std::vector<std::vector<int>> around(model.points.size());
   for (const auto& face : model.faces)
@@ -100,28 +111,28 @@ std::vector<std::vector<int>> nodes_around(const Model& model) {
   return around;
 }
 
-std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face) {
+std::array<Eigen::Vector3d, 3> corners_at(const Model& model, const Eigen::VectorXd& nodal, int face) {
   std::array<Eigen::Vector3d, 3> corners;
-  for (int a = 0; a < 3; ++a) corners[a] = model.points[model.faces[face][a]] + state.displacement(model.faces[face][a]);
+  for (int a = 0; a < 3; ++a) corners[a] = model.points[model.faces[face][a]] + nodal.segment<3>(4 * model.faces[face][a]);
   return corners;
 }
 
-void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state) {
-  state.slips.resize(state.contact_pressures.size());
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < model.tools.size(); ++i) {
-    const auto& tool = model.tools[i];
-    const auto now = pose(model, state, static_cast<int>(i));
-    for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) {
-      const auto corners = corners_now(model, state, f);
-      for (int q = 0; q < contact::points_per_face; ++q, ++at) {
-        state.slips[at].place = contact::place(tool, now, corners, q);
-        state.slips[at].shear = at < points.size() ? points[at].shear : Eigen::Vector3d::Zero();
-        if (at < points.size() && points[at].slides) state.slips[at].shear *= 1 - effects::inside_the_cone;
-        if (tool.turns()) state.slips[at].shear = tool.rotation(now.angle).transpose() * state.slips[at].shear;
-      }
-    }
-  }
+std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face) { return corners_at(model, state.nodal, face); }
+
+std::array<Eigen::Vector3d, 3> corners_at_rest(const Model& model, int face) {
+  return {model.points[model.faces[face][0]], model.points[model.faces[face][1]], model.points[model.faces[face][2]]};
+}
+
+std::vector<contact::Triangle> faces_now(const Model& model, const State& state) {
+  std::vector<contact::Triangle> list;
+  for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) list.push_back(corners_now(model, state, f));
+  return list;
+}
+
+std::vector<contact::Triangle> faces_at_rest(const Model& model) {
+  std::vector<contact::Triangle> list;
+  for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) list.push_back(corners_at_rest(model, f));
+  return list;
 }
 
 std::vector<int> memory_starts(const Model& model) {

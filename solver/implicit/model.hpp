@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include <solver/contact/organ_contact.hpp>
+#include <solver/contact/organ_friction.hpp>
 #include <solver/contact/tool_contact.hpp>
 #include <solver/elements/mini_tetrahedron.hpp>
 
@@ -85,6 +85,8 @@ struct State {
   std::vector<double> contact_pressures;  ///< MPa; tool by tool, face by face, point by point
   std::vector<contact::Slip> slips;        ///< in the same order; none without friction
   std::vector<double> pair_pressures;      ///< MPa, of contact between organs; pass by pass, own face by own face, point by point
+  std::vector<contact::PairSlip> pair_slips;  ///< in the same order; none without friction between organs
+  Eigen::VectorXd before;                  ///< nodal, when the last step was found; none without friction between organs
   std::vector<double> travels;             ///< of every tool, mm; counts for those that are controlled by force
   std::vector<double> memory;             ///< of the materials' effects, tet by tet: see elements::History; then of region forces, point by point
   double memory_time = 0;                 ///< s: of the step before, which the memory is of
@@ -94,7 +96,11 @@ struct State {
   double pressure(int node) const { return nodal(4 * node + 3); }
 };
 
+/// Of tools.
 bool has_friction(const Model& model);
+
+/// Between organs.
+bool organs_rub(const Model& model);
 
 bool has_force_control(const Model& model);
 
@@ -110,6 +116,9 @@ bool is_conservative(const Model& model);
 /// A tetrahedron of every face.
 std::vector<int> tets_of_faces(const Model& model);
 
+/// Of every face, MPa: A of contact's gap law (gap_law.hpp); between organs the softer one's counts.
+std::vector<double> softness_of_faces(const Model& model);
+
 /// Nodes of the faces around each node, itself too, ascending.
 std::vector<std::vector<int>> nodes_around(const Model& model);
 
@@ -118,11 +127,13 @@ State rest_state(const Model& model);
 /// Where a tool is.
 contact::Pose pose(const Model& model, const State& state, int tool);
 
-/// A face's corners in the deformed organ, mm.
+/// A face's corners with these nodal unknowns, with the state's, and at rest, mm.
+std::array<Eigen::Vector3d, 3> corners_at(const Model& model, const Eigen::VectorXd& nodal, int face);
 std::array<Eigen::Vector3d, 3> corners_now(const Model& model, const State& state, int face);
-
-/// What friction is to remember of a state that was found with these contact points; none at rest.
-void remember_slips(const Model& model, const std::vector<contact::Point>& points, State& state);
+std::array<Eigen::Vector3d, 3> corners_at_rest(const Model& model, int face);
+/// Of every face.
+std::vector<contact::Triangle> faces_now(const Model& model, const State& state);
+std::vector<contact::Triangle> faces_at_rest(const Model& model);
 
 /// Where a tetrahedron's part of State::memory begins; one more entry, where that of region forces does.
 std::vector<int> memory_starts(const Model& model);

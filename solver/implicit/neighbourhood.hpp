@@ -23,6 +23,7 @@ struct Neighbourhood {
   std::vector<materials::KnownLaw> laws;               ///< of every sub-tetrahedron
   std::vector<elements::Condensation> condensations;  ///< of every tetrahedron
   std::vector<char> slides;                            ///< of every point of a region force: frozen, as the set of what touches is
+  std::vector<contact::Branch> on_tools, on_organs;    ///< of friction's points, as State::slips and State::pair_slips; frozen too
 };
 
 /// Of every sub-tetrahedron; none where all laws have the known numbers.

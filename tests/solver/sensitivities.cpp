@@ -71,6 +71,16 @@ count = 9
   expect_derivatives({"material.mu", "material.kappa", "tool.friction", "tool.radius_mm"});
 }
 
+/// What slid sticks in the hold, in the run and in its shadows.
+TEST_F(SensitivitiesOfARun, FrictionInALongHold) {
+  write("[material]\nlaw = \"fung_demiray\"\nmu = 0.0067\nb = 1.3\n[[effect]]\nname = \"prony\"\ng = 0.3\ntau_s = 1.0\n" + slanting + R"(friction = 0.2
+path = [[0, 0], [1, 0.8], [2, 0.8], [3, 0.5]]
+[steps]
+count = 9
+)" + base);
+  expect_derivatives({"material.mu", "material.b", "effect[0].g", "tool.friction", "tool.radius_mm", "tool.aim_mm[0]"});
+}
+
 TEST_F(SensitivitiesOfARun, LoadsAndSupport) {
   write(R"(
 [material]

@@ -68,7 +68,7 @@ block((-6, -6, 0), (12, 12, 6), (12, 12, 6), 1)
 write("large.vtu")
 PY
 
-# The upper block is dragged by a ball with friction: it presses the lower one, which yields with time and softens.
+# The upper block is dragged by a ball with friction: it presses and rubs the lower one, which yields with time and softens.
 cat >case.toml <<'TOML'
 schema = "palpate-case/1"
 [[material]]
@@ -89,6 +89,7 @@ inverse_r = 0.5
 m = 0.0005
 [[contact]]
 between = ["lower", "upper"]
+friction = 0.3
 [base]
 plane = { point_mm = [0.0, 0.0, 0.001], normal = [0.0, 0.0, 1.0] }
 [[spring]]
@@ -173,7 +174,7 @@ for damage in none byte frame cut case; do
     byte) printf 'x' | dd of="$file" bs=1 seek=$(($(stat -c %s "$file") / 2)) conv=notrunc 2>/dev/null ;;
     frame) printf 'x' | dd of="$(left)/frames/frame_0000.vtu" bs=1 seek=2000 conv=notrunc 2>/dev/null ;;
     cut) truncate -s -1 "$file" ;;
-    case) sed -i 's/^friction = .*/friction = 0.40/' case.toml ;;
+    case) sed -i 's/^friction = 0.4$/friction = 0.40/' case.toml ;;
   esac
   (solve case.toml out) >/dev/null 2>message
   said="starts from the beginning"

@@ -33,9 +33,8 @@ class CaseRuns : public InFolder {
  protected:
   static bool depth_answers(const Case& c) { return !c.model.tools.empty() && c.model.tools.front().force_controlled; }
 
-  void write(const std::string& text) {
-    write_mesh(folder / "mesh.vtu",
-               mesh_of(brick(uniform(-5, 5, 4), uniform(-5, 5, 4), uniform(0, 5, 2))));
+  void write(const std::string& text, const TetMesh& mesh = mesh_of(brick(uniform(-5, 5, 4), uniform(-5, 5, 4), uniform(0, 5, 2)))) {
+    write_mesh(folder / "mesh.vtu", mesh);
     std::ofstream(folder / "case.toml") << "schema = \"palpate-case/1\"\n" << text;
   }
 

@@ -23,11 +23,11 @@ inline void append(implicit::Model& model, const implicit::Model& organ) {
 }
 
 /// The faces before number `second` against those from there on.
-inline void touch(implicit::Model& model, int second) {
+inline void touch(implicit::Model& model, int second, double friction = 0) {
   std::vector<int> a(second), b(model.faces.size() - second);
   std::iota(a.begin(), a.end(), 0);
   std::iota(b.begin(), b.end(), second);
-  model.passes = contact::passes_between(a, b, false, 0);
+  model.passes = contact::passes_between(a, b, false, 0, friction);
 }
 
 /// What is left of a model without the tetrahedra whose centroids lie in `hole`, and without nodes that then belong to none.
