@@ -5,10 +5,13 @@
 
 namespace palpate::loop {
 
-/// One effect that explains as well as several is the better explanation.
-void simplify(Finding& finding);
+/// One effect that explains as well as several is the better explanation; the several stay an alternative.
+void simplify(Session& session, Finding& finding);
 
 /// Every active effect is exchanged for every other; a better exchange becomes the model, near ones become alternatives.
 void exchange(Session& session, Finding& finding);
+
+/// A further effect of the last step that passed the threshold but not relevance is not claimed, and the data do not exclude it: the finding together with it is an alternative.
+void add_unproven(Session& session, Finding& finding, double threshold_p);
 
 }  // namespace palpate::loop

@@ -101,12 +101,11 @@ bool changes_curve(const Effect& effect) { return effect.entry.kind == "material
 
 }  // namespace
 
-bool matters(const Session& s, const Model& model) {
+bool matters(const Session& s, const Model& model, bool further) {
   const Effect& last = *model.active.back().effect;
   const bool elastic = changes_curve(last) || s.set->specimen.shape == "tube";  // known to form_sd
   double known = std::hypot(s.set->curve_sd, s.set->mesh_sd * s.set->mesh_apart);  // of a clamp: half of the force, over the curve, times what its meshes differ by
   known += 0.5 * s.set->clamp_form_sd;
-  const bool further = model.active.size() > 1;
   const double least = further ? thresholds::further_matters : elastic ? std::max(thresholds::matters, known) : thresholds::matters;
   return last.lateral || change_by_last(s, model, further) >= least;
 }

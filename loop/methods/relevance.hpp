@@ -15,8 +15,8 @@ bool one_kind_of_test(const Set& set);
 /// says of the other test is made up.
 bool made_up(const Session& session, const Model& before, const Model& after);
 
-/// Whether the last effect of a model changes forces by more than repeatability and curves are known to.
-bool matters(const Session& session, const Model& model);
+/// Whether the last effect of a model changes forces by more than repeatability and curves are known to; of a further effect that is to be claimed: by more than the form of the first is known to.
+bool matters(const Session& session, const Model& model, bool as_further);
 
 /// Whether the last effect of a model lowers the error in N at all: fits in which every block of a run weighs alike, with it and without. What explains only what noise was thought
 /// to be is none; on a clamp, or of changes of an organ's own curve, where the fit is within noise already, what lowers it by less than a fifth. Of effects that lateral forces or a rigid block show: true.

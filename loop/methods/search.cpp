@@ -11,6 +11,7 @@
 #include <palpate/nearest.hpp>
 #include <loop/methods/alternatives.hpp>
 #include <loop/methods/left_out.hpp>
+#include <loop/methods/misfit.hpp>
 #include <loop/methods/parallel.hpp>
 #include <loop/methods/refit.hpp>
 #include <loop/methods/relevance.hpp>
@@ -86,6 +87,16 @@ double share_of_one_run(const Linear& l, int column, const std::vector<int>& len
   return largest;
 }
 
+/// An effect that hangs on one run, as a place pressed once, cannot be told from that run's own gain but by how far the other runs' gains scatter: their variance is integrated out, and the place was
+/// chosen among several. Whether it is excluded that it is not there.
+bool beyond_one_run(const Session& s, const Fit& current, const Tried& t, const Candidate& candidate) {
+  const double places = std::max<double>(candidate.grid.size(), 1);
+  return 0.5 * (misfit(s, current) - misfit(s, t.fit, current.model.active.size())) > thresholds::alternative + std::log(places);
+}
+
+constexpr const char* not_lowered = "does not lower the error in force";
+constexpr const char* too_small = "changes the forces by less than the form of the effect before it is known to";
+
 /// What speaks against a refitted candidate before runs are left out; empty: nothing. `least`: gain that a further effect must bring.
 std::string against(const Session& s, const Fit& current, const Tried& t, int rows, double least, double threshold_p, bool can_claim) {
   const Active& own = t.fit.model.active.back();
@@ -94,8 +105,9 @@ std::string against(const Session& s, const Fit& current, const Tried& t, int ro
   if (at_the_edge(t.fit)) return "its amplitude runs to the edge of what is plausible";
   if (own.effect->lateral && std::abs(own.amplitude) < 2 * thresholds::prior_lateral_sd) return "no more than how a tool is set up by hand";
   if (!own.effect->lateral && whitened_change_by_last(s, t.fit.model, rows) < thresholds::visible) return "too small to change any force beyond noise";
-  if (!matters(s, t.fit.model)) return "changes the forces by less than repeatability and curves are known to";
-  if (!lowers_error(s, t.fit.model)) return "does not lower the error in force";
+  if (!matters(s, t.fit.model, false)) return "changes the forces by less than repeatability and curves are known to";
+  if (!current.model.active.empty() && !matters(s, t.fit.model, true)) return too_small;
+  if (!lowers_error(s, t.fit.model)) return not_lowered;
   if (made_up(s, current.model, t.fit.model)) return "one kind of test does not carry it: it would change other tests beyond all proportion";
   return "";
 }
@@ -103,18 +115,21 @@ std::string against(const Session& s, const Fit& current, const Tried& t, int ro
 /// The best candidate that passes threshold and relevance; −1: none. Writes the reasons. A further effect may fail to predict runs left out where two runs alone determine it and each
 /// has its own gain; it is relevant too where its amplitude hardly depends on which run is left out. Of a first step that none passes, the best whose gain
 /// is found on runs left out but is no fifth of the excess: one of two effects that hide each other; the search must bear it out.
-int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried, double threshold_p, bool can_claim) {
-  double form = 0;  // what the effects taken so far may leave because their shortcuts are not exact
-  for (const Active& a : current.model.active) form = std::max(form, std::pow(std::min(a.effect->accuracy, thresholds::further_matters), 2) * (s.null.chi2 - current.chi2));
-  const double missed = excess(s, current.chi2);  // a form's error is part of it, and an effect that explains most of it is no form's error
-  const double least = current.model.active.empty() ? 0 : std::max(thresholds::relevance * missed, std::min(form, thresholds::most_of_missed * missed));
+int chosen(Session& s, Fit& current, const Linear& l, const std::vector<Candidate>& candidates, std::vector<Tried>& tried, const NullDistribution* null) {
+  const bool can_claim = null;
+  const double threshold_p = null ? null->threshold_p : 0;
+  const bool further = !current.model.active.empty();
+  const double least = further ? thresholds::relevance * excess(s, current.chi2) : 0, apart = can_claim && further ? misfit(s, current) : 0;
+  const double most_of_forms = can_claim && further ? largest_form_error(s, current.model) : 0;
   double before = std::numeric_limits<double>::quiet_NaN();
   int taken = -1, half = -1;
   for (int i = 0; i < static_cast<int>(tried.size()); ++i) {
     Tried& t = tried[i];
     if (!t.refitted) continue;
+    if (can_claim && further && t.p < threshold_p && t.lambda < most_of_forms) t.p = std::max(t.p, null->p(t.candidate, std::max(apart - misfit(s, t.fit, current.model.active.size()), 0.0)));
     if (const std::string reason = against(s, current, t, static_cast<int>(l.S.data.rows()), least, threshold_p, can_claim); !reason.empty()) {
       t.reason = reason;
+      t.unproven = further && (reason == not_lowered || reason == too_small);
       continue;
     }
     if (taken >= 0) {
@@ -131,12 +146,18 @@ int chosen(Session& s, Fit& current, const Linear& l, std::vector<Tried>& tried,
       t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
     } else if (share_of_one_run(l, l.scores.best[t.candidate], lengths_of(s)) > thresholds::one_run) {
       t.left_out_fall = std::numeric_limits<double>::quiet_NaN();
+      if (can_claim && !beyond_one_run(s, current, t, candidates[t.candidate])) {
+        t.reason = "one run shows it, no more than gains of single runs do: repeat that run";
+        t.unproven = further;
+        continue;
+      }
     } else {
       const LeftOut after = left_out(s.problem, t.fit.model, s.threads);
       t.left_out_fall = fall_of(before, after.excess, t.lambda * (1 - share_of_rows(l, l.scores.best[t.candidate], lengths_of(s))));
       const bool carried = can_claim && !current.model.active.empty() && after.amplitude_over_sd >= thresholds::carried;
       if (!(t.left_out_fall >= thresholds::relevance) && !carried) {
         t.reason = "runs left out are not predicted better";
+        t.unproven = further;
         if (half < 0 && can_claim && current.model.active.empty() && t.left_out_fall * before > 0.5 * t.lambda) half = i;
         continue;
       }
@@ -156,6 +177,22 @@ void bear_out(Session& s, Finding& f) {
   if (before - after >= thresholds::relevance * before) return;
   f.final = s.null;
   f.structure_after = f.structure_before;
+}
+
+/// Shapes that a fit cannot move (a reference rate, a kind of friction, a law) were chosen while what was taken later was still missing: each is chosen again beside the others.
+void choose_shapes_again(Session& s, Fit& current, const std::vector<Candidate>& candidates) {
+  if (current.model.active.size() < 2) return;
+  for (std::size_t i = 0; i < current.model.active.size(); ++i) {
+    const Active own = current.model.active[i];
+    const auto c = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.effect == own.effect; });
+    if (own.effect->refines || own.effect->repeats || c->grid.size() < 2) continue;
+    for (const auto& shape : c->grid) {
+      if (shape == own.shape) continue;
+      Model other = current.model;
+      other.active[i].shape = shape;
+      if (Fit fit = fitted(s.problem, other); fit.chi2 < current.chi2 - 2 * thresholds::alternative) current = std::move(fit);
+    }
+  }
 }
 
 /// Effects that a later one has made needless go again. `null` is that of the model without effects.
@@ -249,15 +286,20 @@ Finding search(Session& s, int null_sets, std::uint64_t seed, const std::functio
     if (step == most_effects) break;
     remark("step " + std::to_string(step + 1) + ": refits");
     f.steps.push_back(try_all(s, f.final, l, f.candidates, can_claim ? &null : nullptr));
-    const int taken = chosen(s, f.final, l, f.steps.back(), null.threshold_p, can_claim);
+    const int taken = chosen(s, f.final, l, f.candidates, f.steps.back(), can_claim ? &null : nullptr);
     if (taken < 0) break;
     f.final = f.steps.back()[taken].fit;
+    if (can_claim) {
+      choose_shapes_again(s, f.final, f.candidates);
+      f.final = renew_noise(s, f.final.model);
+    }
     if (can_claim) delete_needless(s, f.final, f.candidates, first);
   }
   if (can_claim && !f.final.model.active.empty()) bear_out(s, f);
-  simplify(f);
+  simplify(s, f);
   remark("alternatives");
   if (!f.final.model.active.empty()) exchange(s, f);
+  if (can_claim && !f.final.model.active.empty()) add_unproven(s, f, null.threshold_p);
   f.kind = judged(f, can_claim);
   f.oddities = oddities(s, f.final.model);
   if (can_claim && !f.oddities.empty()) f.kind = VerdictKind::unexplained;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <loop/methods/misfit.hpp>
 #include <loop/methods/thresholds.hpp>
 
 namespace palpate::loop {
@@ -34,11 +35,16 @@ std::pair<Strains, Session> nearer_small_strain(const Set& set, int threads) {
 /// What is unexplained counts as more effects than the search may take.
 int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained ? thresholds::most_effects + 1 : static_cast<int>(t.effects.size()); }
 
-/// How much more a simpler explanation may leave: what excludes no alternative, and a tenth of what is left. Shortcuts are as far off in the one as in the other.
+/// How much more, in chi2, a simpler explanation is searched for: what excludes no alternative, and a tenth of what is left, which form errors and the noise's size may make of it.
 double margin(const Searched& s) { return 2 * thresholds::alternative + 0.1 * s.finding.final.chi2; }
 
-/// Misfit per block.
-double misfit(const Searched& s) {
+/// Whether what was found with one curve is not excluded beside what was found with the other.
+bool as_good(const Searched& one, const Searched& other) {
+  return misfit(one.session, one.finding.final) <= misfit(other.session, other.finding.final) + 2 * thresholds::alternative;
+}
+
+/// Squares per block.
+double per_block(const Searched& s) {
   int blocks = 0;
   for (std::size_t run : s.session.problem.runs) blocks += s.session.forward->blocks(run);
   return s.finding.final.chi2 / std::max(blocks, 1);
@@ -54,7 +60,7 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   const bool pressed = std::any_of(set.runs.begin(), set.runs.end(), [](const Run& r) { return r.role == Role::fit && r.test == Test::indentation; });
   const VerdictKind kind = finite.finding.kind;
   if (!pressed || !set.specimen.case_file.empty() || set.specimen.shape == "tube" || kind == VerdictKind::nothing_supported || kind == VerdictKind::ranking_only) return finite;
-  if (kind == VerdictKind::unexplained && misfit(finite) < thresholds::other_curve) return finite;
+  if (kind == VerdictKind::unexplained && per_block(finite) < thresholds::other_curve) return finite;
   remark("the same with closed forms of small strain");
   auto [strains, session] = nearer_small_strain(set, threads);
   Searched small{std::move(session), {}, {}};
@@ -66,9 +72,17 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   }
   small.finding = search(small.session, null_sets, seed, remark, std::min(most, thresholds::most_effects), enough);
   small.curves.push_back(tried_of(small, strains));
-  const bool taken = effects_of(small.curves.front()) < effects_of(finite.curves.front()) && small.finding.final.chi2 <= enough;
+  const bool taken = effects_of(small.curves.front()) < effects_of(finite.curves.front()) && small.finding.final.chi2 <= enough && (kind == VerdictKind::unexplained || as_good(small, finite));
   Searched& best = taken ? small : finite;
   best.curves.push_back((taken ? finite : small).curves.front());
+  if (taken && kind != VerdictKind::unexplained && !small.finding.final.model.active.empty() && as_good(finite, small)) {  // finite strain with its effects is not excluded either
+    for (const auto& names : finite.finding.alternatives)
+      if (std::find(best.finding.alternatives.begin(), best.finding.alternatives.end(), names) == best.finding.alternatives.end()) {
+        best.finding.alternatives.push_back(names);
+        best.finding.alternative_distance.push_back(0);
+        if (best.finding.kind == VerdictKind::claimed) best.finding.kind = VerdictKind::confounded;
+      }
+  }
   if (taken)
     best.finding.remarks.push_back("the curves are those of small-strain closed forms" + std::string(strains == Strains::series ? " with Dimitriadis' series for the layer" : "") + ", which need fewer effects here than a solid that is solved at finite strain; "
                                    "a stiffening law that makes the one from the other cannot be seen");

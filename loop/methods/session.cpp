@@ -204,6 +204,23 @@ void shape_noise(Session& s, const Model& model) {
     s.shapes.push_back(noise_shape(*s.forward, run, s.forward->predicted(run, model), slope_of(*s.forward, run, model, s.depth_scale_mm), s.depth_scale_mm));
 }
 
+/// Directions and variances of the noise at a fitted model.
+void noise_around(Session& s, const Model& model, double sensor_sd) {
+  shape_noise(s, model);
+  Model at = model;
+  const Stacked left = residual(s.problem, at);
+  std::vector<VectorXd> of_run;
+  Eigen::Index begin = 0;
+  for (std::size_t run : s.problem.runs) {
+    of_run.push_back(left.data.col(0).segment(begin, s.forward->blocks(run)));
+    begin += s.forward->blocks(run);
+  }
+  Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
+  noise.scatter = std::hypot(noise.scatter, s.set->clamp_scatter);
+  noise.correlation = std::max(noise.correlation, s.set->clamp_correlation);
+  set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
+}
+
 void choose_law(Session& s) {
   for (const Law& law : laws()) {
     if (law.parameters.size() > 2 || law.name == "hooke_linear") continue;
@@ -241,21 +258,16 @@ Session prepared(const Set& set, const std::function<void(Forward&)>& correct) {
       }
     }
     s.null = best_fit(s.problem, round == 0 ? start_model(set, law) : start);
-    shape_noise(s, s.null.model);
-    const Stacked left = residual(s.problem, s.null.model);
-    std::vector<VectorXd> of_run;
-    int at = 0;
-    for (std::size_t run : s.problem.runs) {
-      of_run.push_back(left.data.col(0).segment(at, s.forward->blocks(run)));
-      at += s.forward->blocks(run);
-    }
-    Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
-    noise.scatter = std::hypot(noise.scatter, set.clamp_scatter);
-    noise.correlation = std::max(noise.correlation, set.clamp_correlation);
-    set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
+    noise_around(s, s.null.model, sensor_sd);
   }
   s.null = best_fit(s.problem, s.null.model);
   return s;
+}
+
+Fit renew_noise(Session& s, const Model& model) {
+  noise_around(s, model, s.noise.sensor_sd);
+  s.null = fitted(s.problem, s.null.model);
+  return fitted(s.problem, model);
 }
 
 Model with_equal_weights(const Session& s, const Model& model) {

@@ -36,6 +36,10 @@ Model start_model(const Set& set, const std::string& law);
 /// `correct` may teach the forward model what solves said; it may be empty.
 Session prepared(const Set& set, const std::function<void(Forward&)>& correct = {});
 
+/// The noise's directions and variances at this model, which is fitted again with them, and the null too: at a model that misses a large effect the directions of gain and contact are not what they are,
+/// and a run's own gain looks like more than gain.
+Fit renew_noise(Session& session, const Model& model);
+
 /// The model fitted once more with every block of a run weighing the same: what it can do for the error in N.
 Model with_equal_weights(const Session& session, const Model& model);
 

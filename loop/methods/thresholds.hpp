@@ -10,9 +10,9 @@ namespace palpate::loop::thresholds {
 inline constexpr double level = 0.01;             ///< of the smallest p over the catalogue, under the null
 inline constexpr int null_sets = 1000;            ///< bootstrapped nulls per step
 inline constexpr double alternative = 4.6;        ///< Δℓ within which another explanation is not excluded
+inline constexpr double hopeless_apart = 100;     ///< of chi2 beyond the best, above which form errors and the noise's size are not asked whether they make up for it
 inline constexpr double relevance = 0.2;          ///< fall of the leave-one-run-out excess error; share of the misfit left that a further effect must explain
 inline constexpr double one_run = 0.8;            ///< share of a signature in one run, above which leaving it out says nothing
-inline constexpr double most_of_missed = 0.5;     ///< share of the misfit left beyond which what explains it is no error of the forms taken before
 inline constexpr double carried = 4;              ///< amplitude over its jackknife deviation, above which a further effect is not one run's
 inline constexpr int most_effects = 3;
 inline constexpr double corner = 0.3;             ///< of a second difference between samples: when between them did the tool turn?
