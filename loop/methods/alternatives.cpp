@@ -35,15 +35,6 @@ void add(Finding& f, const std::vector<std::string>& names, double behind) {
   f.alternative_distance.push_back(behind);
 }
 
-/// A fit begun at three times the last effect's amplitude: what gives way in series is far from linear, and a fit that begins where the derivative at nothing points can end on the way.
-Fit from_further_out(const Session& s, const Fit& fit) {
-  Model model = fit.model;
-  Active& last = model.active.back();
-  const Range& range = last.effect->entry.parameters[0].range;
-  last.amplitude = std::clamp(3 * last.amplitude, 0.9 * range.min, 0.9 * range.max);
-  return fitted(s.problem, model);
-}
-
 }  // namespace
 
 void simplify(Session& s, Finding& f) {
@@ -59,7 +50,6 @@ void simplify(Session& s, Finding& f) {
   for (const Tried* t : singles)
     if (Fit fit = fitted(s.problem, t->fit.model); fit.chi2 < best.chi2) best = std::move(fit);
   if (best.model.active.empty()) return;
-  f.simplified_from = names_of(f.final.model);
   f.final = std::move(best);
 }
 
@@ -85,8 +75,6 @@ void exchange(Session& s, Finding& f) {
       hopeless[k] = now + thresholds::hopeless_apart + std::pow(other.effect->accuracy * change, 2);
       if (other.effect == own.effect) return;
       fits[k] = best_refit(s, base.model, other, l, column, hopeless[k]);
-      if (fits[k].chi2 > now + 2 * thresholds::alternative && fits[k].chi2 < hopeless[k])
-        if (Fit further = from_further_out(s, fits[k]); further.chi2 < fits[k].chi2) fits[k] = std::move(further);
     });
     for (std::size_t k = 0; k < worth.size(); ++k) {
       if (f.candidates[worth[k]].effect == own.effect) continue;
@@ -111,7 +99,6 @@ void exchange(Session& s, Finding& f) {
   std::stable_sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [behind, names] : sets)
     if (behind <= thresholds::alternative) add(f, names, behind);
-  if (!f.simplified_from.empty()) add(f, f.simplified_from, 0);
 }
 
 void add_unproven(Session& s, Finding& f, double threshold_p) {

@@ -5,7 +5,7 @@
 
 namespace palpate::loop {
 
-/// One effect that explains as well as several is the better explanation; the several stay an alternative.
+/// One effect that explains as well as several is the better explanation.
 void simplify(Session& session, Finding& finding);
 
 /// Every active effect is exchanged for every other; a better exchange becomes the model, near ones become alternatives.

@@ -40,7 +40,6 @@ struct Finding {
   Fit final;                              ///< null plus what was taken (for a ranking: plus the best)
   Model reported_before, reported_after;  ///< null and final with every block weighing the same: errors in N are told of these
   VerdictKind kind = VerdictKind::nothing_supported;
-  std::vector<std::string> simplified_from;            ///< several effects that one explains as well; empty: none
   std::vector<std::vector<std::string>> alternatives;  ///< sets of effects, the best first; one set: no other is left
   std::vector<double> alternative_distance;            ///< Δℓ behind the best
   double structure_before = 0, structure_after = 0, structure_limit = 0;

@@ -38,9 +38,10 @@ int effects_of(const CurveTried& t) { return t.kind == VerdictKind::unexplained 
 /// How much more, in chi2, a simpler explanation is searched for: what excludes no alternative, and a tenth of what is left, which form errors and the noise's size may make of it.
 double margin(const Searched& s) { return 2 * thresholds::alternative + 0.1 * s.finding.final.chi2; }
 
-/// Whether what was found with one curve is not excluded beside what was found with the other.
+/// Whether what was found with one curve is not excluded beside what was found with the other: not as fitted, or not when form errors, of which more effects have more, are counted.
 bool as_good(const Searched& one, const Searched& other) {
-  return misfit(one.session, one.finding.final) <= misfit(other.session, other.finding.final) + 2 * thresholds::alternative;
+  return one.finding.final.chi2 <= other.finding.final.chi2 + 2 * thresholds::alternative ||
+         misfit(one.session, one.finding.final) <= misfit(other.session, other.finding.final) + 2 * thresholds::alternative;
 }
 
 /// Squares per block.
@@ -75,14 +76,6 @@ Searched searched(const Set& set, const std::function<void(Forward&)>& correct, 
   const bool taken = effects_of(small.curves.front()) < effects_of(finite.curves.front()) && small.finding.final.chi2 <= enough && (kind == VerdictKind::unexplained || as_good(small, finite));
   Searched& best = taken ? small : finite;
   best.curves.push_back((taken ? finite : small).curves.front());
-  if (taken && kind != VerdictKind::unexplained && !small.finding.final.model.active.empty() && as_good(finite, small)) {  // finite strain with its effects is not excluded either
-    for (const auto& names : finite.finding.alternatives)
-      if (std::find(best.finding.alternatives.begin(), best.finding.alternatives.end(), names) == best.finding.alternatives.end()) {
-        best.finding.alternatives.push_back(names);
-        best.finding.alternative_distance.push_back(0);
-        if (best.finding.kind == VerdictKind::claimed) best.finding.kind = VerdictKind::confounded;
-      }
-  }
   if (taken)
     best.finding.remarks.push_back("the curves are those of small-strain closed forms" + std::string(strains == Strains::series ? " with Dimitriadis' series for the layer" : "") + ", which need fewer effects here than a solid that is solved at finite strain; "
                                    "a stiffening law that makes the one from the other cannot be seen");
