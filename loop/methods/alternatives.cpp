@@ -53,6 +53,21 @@ void simplify(Session& s, Finding& f) {
   f.final = std::move(best);
 }
 
+void choose_shapes_again(Session& s, Fit& current, const std::vector<Candidate>& candidates) {
+  if (current.model.active.size() < 2) return;
+  for (std::size_t i = 0; i < current.model.active.size(); ++i) {
+    const Active own = current.model.active[i];
+    const auto c = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.effect == own.effect; });
+    if (own.effect->refines || own.effect->repeats || c->grid.size() < 2) continue;
+    for (const auto& shape : c->grid) {
+      if (shape == own.shape) continue;
+      Model other = current.model;
+      other.active[i].shape = shape;
+      if (Fit fit = fitted(s.problem, other); fit.chi2 < current.chi2 - 2 * thresholds::alternative) current = std::move(fit);
+    }
+  }
+}
+
 void exchange(Session& s, Finding& f) {
   std::vector<std::pair<double, std::vector<std::string>>> sets = {{0, names_of(f.final.model)}};
   double best = misfit(s, f.final);

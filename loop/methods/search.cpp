@@ -179,22 +179,6 @@ void bear_out(Session& s, Finding& f) {
   f.structure_after = f.structure_before;
 }
 
-/// Shapes that a fit cannot move (a reference rate, a kind of friction, a law) were chosen while what was taken later was still missing: each is chosen again beside the others.
-void choose_shapes_again(Session& s, Fit& current, const std::vector<Candidate>& candidates) {
-  if (current.model.active.size() < 2) return;
-  for (std::size_t i = 0; i < current.model.active.size(); ++i) {
-    const Active own = current.model.active[i];
-    const auto c = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.effect == own.effect; });
-    if (own.effect->refines || own.effect->repeats || c->grid.size() < 2) continue;
-    for (const auto& shape : c->grid) {
-      if (shape == own.shape) continue;
-      Model other = current.model;
-      other.active[i].shape = shape;
-      if (Fit fit = fitted(s.problem, other); fit.chi2 < current.chi2 - 2 * thresholds::alternative) current = std::move(fit);
-    }
-  }
-}
-
 /// Effects that a later one has made needless go again. `null` is that of the model without effects.
 void delete_needless(Session& s, Fit& current, const std::vector<Candidate>& candidates, const NullDistribution& null) {
   for (std::size_t i = 0; current.model.active.size() > 1 && i < current.model.active.size();) {
