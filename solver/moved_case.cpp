@@ -38,6 +38,15 @@ Case shifted_case(const Settings& settings, const std::filesystem::path& mesh, c
   return read_case(moved, mesh);
 }
 
+bool is_refused(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, double change) {
+  try {
+    shifted_case(settings, mesh, path, change);
+  } catch (const Failure&) {
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 MovedCase moved_case(const Settings& settings, const std::filesystem::path& mesh, const std::string& path, const Case& still) {
@@ -45,8 +54,9 @@ MovedCase moved_case(const Settings& settings, const std::filesystem::path& mesh
   for (double change : {step, -step}) {
     try {
       Case moved = shifted_case(settings, mesh, path, change);
-      if (needs_secant(still, moved)) return {finite_friction, shifted_case(settings, mesh, path, finite_friction), true};
-      return {change, std::move(moved), false};
+      if (needs_secant(still, moved)) return {finite_friction, shifted_case(settings, mesh, path, finite_friction), true, true};
+      const bool off = change > 0 && settings.number_at(path) == 0;  // an amplitude, most likely
+      return {change, std::move(moved), change < 0 || (off && is_refused(settings, mesh, path, -step)), false};
     } catch (const Failure&) {
       if (change < 0) throw;
     }

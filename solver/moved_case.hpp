@@ -12,6 +12,7 @@ namespace palpate {
 struct MovedCase {
   double change = 0;  ///< of the number
   Case the_case;
+  bool at_end = false;     ///< of the number's range: its derivative is of one side
   bool is_secant = false;  ///< a finite change stands in for a derivative that does not exist, and needs a run of its own
 };
 

@@ -64,6 +64,7 @@ Sensitivities::Sensitivities(const Settings& settings, const std::filesystem::pa
   for (const auto& path : numbers) {
     MovedCase moved = moved_case(settings, mesh_override, path, still_->the_case);
     shadows_.push_back(std::make_unique<Shadow>(path, moved.change, std::move(moved.the_case), threads));
+    shadows_.back()->at_end = moved.at_end;
     if (moved.is_secant) shadows_.back()->own = std::make_unique<implicit::Equilibrium>(shadows_.back()->the_case.model, threads);
     std::vector<std::string> forces = {"F", "Fx", "Fy", "Fz"};
     for (std::size_t i = 2; i <= still_->the_case.model.tools.size(); ++i)
@@ -167,8 +168,10 @@ void Sensitivities::run_on(Shadow& shadow, const implicit::State& found) {
 
 std::vector<std::string> Sensitivities::remarks() const {
   std::vector<std::string> list;
-  for (const auto& shadow : shadows_)
+  for (const auto& shadow : shadows_) {
     if (shadow->own) list.push_back("d/d(" + shadow->path + ") is the secant to " + std::to_string(shadow->change) + ", by a run of its own: friction that is off has no derivative");
+    else if (shadow->at_end) list.push_back("d/d(" + shadow->path + ") is of one side: the number is at the end of its range");
+  }
   return list;
 }
 

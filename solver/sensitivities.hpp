@@ -26,6 +26,7 @@ struct Shadow {
   implicit::Equations equations;  ///< at the run's displacements
   std::vector<Eigen::Vector3d> force_rates;  ///< of the reported forces, by the number
   std::unique_ptr<implicit::Equilibrium> own;  ///< of a secant, which has a run of its own
+  bool at_end = false;  ///< of the number's range
   int one_sided = 0;  ///< steps in which a point of contact slides in the shadow and sticks in the run, or the other way round
   double depth_rate = 0;                     ///< of the first tool's depth, when its force is given, mm per unit of the number
 
@@ -48,7 +49,7 @@ class Sensitivities {
   void follow(const implicit::State& found);
   /// A row at a reported step.
   void add(const implicit::Step& step);
-  /// What people should know of numbers without a derivative: friction where there is none. A secant stands in.
+  /// What people should know of numbers without a derivative (friction where there is none: a secant stands in), or with one of one side: where their range ends.
   std::vector<std::string> remarks() const;
   /// Of the numbers whose derivatives were of one side in some step, and of steps in which all were; at the end of a run.
   std::vector<std::string> one_sided() const;

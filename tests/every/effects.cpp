@@ -277,6 +277,15 @@ TEST_P(EveryEffect, TheAmplitudeHasADerivativeWhereItIsOff) {
   const std::string amplitude = "effect[0]." + GetParam().entry.parameters[0].name;
   if (GetParam().traction.holds_on) expect_secant(amplitude, 0.05);
   else expect_derivatives({amplitude});
+  // And the program says which of these is of one side.
+  const Settings settings = Settings::read(folder / "case.toml");
+  const Case c = read_case(settings, "");
+  implicit::Equilibrium equilibrium(c.model, 1);
+  const auto remarks = Sensitivities(settings, "", {amplitude}, equilibrium, 1).remarks();
+  ASSERT_EQ(remarks.size(), GetParam().entry.parameters[0].range.min == 0 ? 1u : 0u);
+  if (!remarks.empty()) {
+    EXPECT_NE(remarks[0].find(GetParam().traction.holds_on ? "is the secant to" : "is of one side"), std::string::npos) << remarks[0];
+  }
 }
 
 TEST_P(EveryEffect, EntryIsComplete) {

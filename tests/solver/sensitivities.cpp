@@ -201,6 +201,19 @@ count = 6
   expect_secant("tool.friction", 0.05);
 }
 
+/// Also while the tool is drawn back and faces that it has left are within the range in which it would cling.
+TEST_F(SensitivitiesOfARun, AdhesionThatIsNotThereYet) {
+  write(soft + slanting + R"(path = [[0, 0], [1, 0.8], [2, 0.05]]
+[[effect]]
+name = "adhesion"
+work = 0.0
+range_mm = 0.5
+[steps]
+count = 10
+)" + base);
+  expect_derivatives({"effect[0].work"});
+}
+
 TEST_F(SensitivitiesOfARun, ANumberThatIsNotThereIsRefused) {
   write(soft + "[[displacement]]\nmotion_mm = [0, 0, -0.1]\n" + top + base);
   const Settings settings = Settings::read(folder / "case.toml");
