@@ -63,7 +63,7 @@ struct ClampCurves {
   double scatter = 0;                        ///< what meshes differ by between these places, over the largest force
   std::vector<double> parameters;            ///< of the law, in the solves
   std::vector<ClampSite> sites;
-  int solves = 0, reused = 0;
+  int solves = 0;                            ///< closings that these curves come from, kept ones too
   const ClampSite& site(const Vec3& point_mm) const;
 };
 

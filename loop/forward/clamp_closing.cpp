@@ -74,7 +74,7 @@ fs::path wall_file(const Bench& b, const Run& run, const Closing& job, const fs:
 
 }  // namespace
 
-fs::path closed(const Bench& b, const Run& run, Closing job, std::atomic<int>& ran) {
+fs::path closed(const Bench& b, const Run& run, Closing job) {
   const std::string text = case_text(b, run, job);  // asked; the case may be slower
   const fs::path folder = b.kept / sha256_of_bytes(text).substr(0, 16), result = folder / "result";
   if (fs::exists(result / "history.csv") && fs::exists(folder / "asked.toml") && read_text(folder / "asked.toml") == text) return result;
@@ -93,7 +93,6 @@ fs::path closed(const Bench& b, const Run& run, Closing job, std::atomic<int>& r
   }
   fs::remove_all(result / "frames");
   write_text(folder / "asked.toml", text);
-  ++ran;
   return result;
 }
 

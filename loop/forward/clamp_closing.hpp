@@ -1,7 +1,6 @@
 // One closing of a clamp, by palpate-idealize, palpate-mesh and palpate-solve; kept by its content.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <atomic>
 
 #include <loop/forward/model.hpp>
 
@@ -28,7 +27,7 @@ struct Bench {
   double stop_gap_mm() const { return set.specimen.size_mm[0] - deepest_mm; }
 };
 
-/// The folder of the solve's result, run (`ran` counts it) or kept. Throws Failure(not_converged) with the program's words.
-std::filesystem::path closed(const Bench& bench, const Run& run, Closing closing, std::atomic<int>& ran);
+/// The folder of the solve's result, run or kept. Throws Failure(not_converged) with the program's words.
+std::filesystem::path closed(const Bench& bench, const Run& run, Closing closing);
 
 }  // namespace palpate::loop

@@ -219,11 +219,9 @@ ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, cons
   for (const Run* run : places)
     for (const Closing& job : jobs_of(b, *run)) todo.push_back({run, job});
   std::vector<fs::path> results(todo.size());
-  std::atomic<int> ran = 0;
   remark("curves of the clamp: " + std::to_string(todo.size()) + " closings of the wall");
-  for_each_index(static_cast<int>(todo.size()), threads, [&](int i) { results[i] = closed(b, *todo[i].first, todo[i].second, ran); });
-  curves.solves = ran;
-  curves.reused = static_cast<int>(todo.size()) - ran;
+  for_each_index(static_cast<int>(todo.size()), threads, [&](int i) { results[i] = closed(b, *todo[i].first, todo[i].second); });
+  curves.solves = static_cast<int>(todo.size());
   const auto first = curves_of(b, results[0]).closing;
   curves.small_N = small_share * *std::max_element(first.values.begin(), first.values.end());
   curves.deepest_mm = deepest;

@@ -63,6 +63,7 @@ class Forward {
   void use(Strains strains) { strains_ = strains; }
   /// Clamps have their curves from solves alone.
   void use(std::shared_ptr<const ClampCurves> curves) { clamp_ = std::move(curves); }
+  int clamp_solves() const { return clamp_ ? clamp_->solves : 0; }
   /// From now on the closed form of runs with this tool and point is multiplied by the curve's factor at x = depth/deepest (beyond it as at it), and the changes by departures that
   /// were solved are multiplied by theirs: what solves of that site say about the closed form.
   void correct(SiteCurve curve) { corrections_.push_back(std::move(curve)); }

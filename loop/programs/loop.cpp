@@ -262,7 +262,8 @@ void run_of_run(Command& c) {
   loop::take_size(s.session, s.finding, confirmation);
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
-  report["solves"] = std::accumulate(curves.begin(), curves.end(), confirmation.solves, [](int sum, const loop::SiteCurve& curve) { return sum + curve.solves; });
+  const int others = confirmation.solves + s.session.forward->clamp_solves();
+  report["solves"] = std::accumulate(curves.begin(), curves.end(), others, [](int sum, const loop::SiteCurve& curve) { return sum + curve.solves; });
   report["solved_curves"] = loop::solves_json(curves);
   report["elastic_curves"] = loop::tried_json(s.curves);
   report["confirmed_in_solver"] = loop::confirmation_json(confirmation);
