@@ -135,6 +135,7 @@ void read_remesh(const Settings& settings, Case& c) {
   const Settings table = settings.table("remesh");
   c.remesh.emplace();
   c.remesh->part_of_radius = table.real("part_of_radius", c.remesh->part_of_radius, {0.01, 10});
+  c.remesh->part_of_contact = table.real("part_of_contact", c.remesh->part_of_contact, {0.01, 10});
   c.remesh->least_shape = table.real("least_shape", c.remesh->least_shape, {0, 0.9});
   c.remesh->finest_mm = table.real("finest_mm", default_finest(c.model), {1e-3, 1e3});
   c.remesh->most = static_cast<int>(table.integer("most", c.remesh->most, {1, 1000}));

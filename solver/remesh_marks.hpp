@@ -12,6 +12,7 @@ namespace palpate {
 /// [remesh] of a case.
 struct RemeshRules {
   double part_of_radius = 0.5;  ///< edges of faces that a tool touches are at most this part of the tool's radius of curvature there
+  double part_of_contact = 0.35;  ///< and at most this part of half the contact's width
   double least_shape = 0.3;     ///< an element's mean ratio is at least this part of that at rest
   double finest_mm = 0;         ///< no edge is asked to be shorter; half of it where a step stopped
   int most = 8;                 ///< remeshings in a run

@@ -140,12 +140,27 @@ bool Run::may_remesh() const {
          static_cast<int>(case_->model.points.size()) < case_->remesh->most_nodes;
 }
 
-/// Does the mesh suit the tools and the organ's shape as they are now?
-void Run::judge(const Step& step) {
-  if (!may_remesh() || too_large_ || step.index == 0 || step.index == case_->count) return;
+/// Does the mesh suit the tools and the organ's shape as they are now? If not, marks_ say where.
+bool Run::suits(const Step& step) {
+  if (!may_remesh() || too_large_ || step.index == 0) return true;
   marks_ = marks(case_->model, step.state, step.equations.contact, *case_->remesh);
   marked_force_ = driven(*case_, step).force;
-  pressing_.pause = !marks_.longest_mm.empty();
+  return marks_.longest_mm.empty();
+}
+
+void Run::report(const Step& step, Progress& progress) {
+  results_.add(step, step.index == case_->count);
+  if (sensitivities_) sensitivities_->add(step);
+  progress.update(step.index, remark(step));
+  save();
+}
+
+/// The step that waits, after equilibrium is found again on a finer mesh; the mesh it was found on reports it where there is no better one.
+void Run::report_on_a_finer_mesh(Progress& progress) {
+  auto& [index, equations, iterations, cuts, drags] = *coarse_;
+  if (auto found = remesh()) equations = std::move(found->equations);
+  report({index, state_, equations, iterations, cuts, drags}, progress);
+  coarse_.reset();
 }
 
 /// A step could not be made: finer where it stopped, from the last reported step on. Nearer to where it stopped equilibrium is hard to find again.
@@ -160,7 +175,9 @@ bool Run::mend() {
   pressing_.part = 0.5;
   marks_ = {trouble_marks(case_->model, state_, trouble_.place_mm, *case_->remesh), "a step stopped: " + trouble_.cause};
   marked_force_ = results_.force();
-  return !marks_.longest_mm.empty() && remesh();
+  if (marks_.longest_mm.empty() || !remesh()) return false;
+  save();
+  return true;
 }
 
 void Run::give_up_mesh(const std::string& name, const std::string& why) {
@@ -169,24 +186,31 @@ void Run::give_up_mesh(const std::string& name, const std::string& why) {
 }
 
 /// The same load on a finer mesh; the run goes on there if equilibrium is found.
-bool Run::remesh() {
+std::optional<implicit::Found> Run::remesh() {
+  constexpr int more_modest = 4;  // times that less is asked where a mesh would have too many nodes
+  constexpr double modesty = 1.5;
+  const auto most_nodes = static_cast<std::size_t>(case_->remesh->most_nodes);
   std::ostringstream name;
   name << "remesh/mesh_" << std::setw(2) << std::setfill('0') << meshes_.size() + 1 << ".vtu";
-  const auto origins = remeshed(*case_, state_, marks_.longest_mm, folder_, name.str());
-  auto fresh = std::make_unique<Case>(case_on(settings_, folder_ / name.str(), *case_));
-  if (static_cast<int>(fresh->model.points.size()) > case_->remesh->most_nodes) {
-    too_large_ = true;
-    give_up_mesh(name.str(), "a finer mesh would have " + std::to_string(fresh->model.points.size()) + " nodes ([remesh] most_nodes, finest_mm)");
-    return false;
+  auto origins = remeshed(*case_, state_, marks_.longest_mm, folder_, name.str());
+  for (int attempt = 0; attempt < more_modest && origins.nodes.size() > most_nodes; ++attempt) {
+    for (double& wish : marks_.longest_mm) wish *= modesty;
+    origins = remeshed(*case_, state_, marks_.longest_mm, folder_, name.str());
   }
+  if (origins.nodes.size() > most_nodes || origins.nodes.size() == case_->model.points.size()) {
+    too_large_ = true;
+    give_up_mesh(name.str(), "a finer mesh would have more than " + std::to_string(most_nodes) + " nodes ([remesh] most_nodes, finest_mm)");
+    return {};
+  }
+  auto fresh = std::make_unique<Case>(case_on(settings_, folder_ / name.str(), *case_));
   auto equilibrium = std::make_unique<implicit::Equilibrium>(fresh->model, command_.threads());
   implicit::State state = implicit::carried(case_->model, state_, fresh->model, origins);
   const double before = implicit::volume(case_->model, state_), carried = implicit::volume(fresh->model, state), shape_before = least_shape(*case_, state_);
-  const auto found = equilibrium->find(state, state.time);
+  auto found = equilibrium->find(state, state.time);
   if (!found) {
     ++failed_remeshings_;
     give_up_mesh(name.str(), "no equilibrium on a finer mesh: " + equilibrium->trouble().cause);
-    return false;
+    return {};
   }
   case_ = std::move(fresh);
   equilibrium_ = std::move(equilibrium);
@@ -204,8 +228,7 @@ bool Run::remesh() {
                      {"least_shape", {{"before", shape_before}, {"after", least_shape(*case_, state_)}}},
                      {"iterations", found->iterations}}, step);
   command_.say("remeshed at " + std::to_string(state_.time) + " s: " + std::to_string(case_->model.points.size()) + " nodes");
-  save();
-  return true;
+  return found;
 }
 
 void Run::go() {
@@ -214,15 +237,12 @@ void Run::go() {
   const double end = case_->steps.times.back();
   for (;;) {
     time_ = implicit::run_steps(*equilibrium_, state_, case_->steps, pressing_, [&](const Step& step) {
-      results_.add(step, step.index == case_->count);
-      if (sensitivities_) sensitivities_->add(step);
-      progress.update(step.index, remark(step));
-      judge(step);
-      if (!pressing_.pause) save();
+      pressing_.pause = !suits(step);
+      if (pressing_.pause) coarse_.emplace(Coarse{step.index, step.equations, step.iterations, step.cuts, step.drags});
+      else report(step, progress);
     }, observe_);
-    const bool unsuited = std::exchange(pressing_.pause, false);
-    if (unsuited) {
-      if (!remesh()) save();
+    if (std::exchange(pressing_.pause, false)) {
+      report_on_a_finer_mesh(progress);
       continue;
     }
     if (!(time_ < end)) break;

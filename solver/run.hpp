@@ -30,12 +30,21 @@ class Run {
   std::string bytes();
   void explain_stop() const;
   bool may_remesh() const;
-  void judge(const implicit::Step& step);
+  bool suits(const implicit::Step& step);
+  void report(const implicit::Step& step, Progress& progress);
+  void report_on_a_finer_mesh(Progress& progress);
   bool mend();
-  bool remesh();
+  std::optional<implicit::Found> remesh();
   void give_up_mesh(const std::string& name, const std::string& why);
   std::vector<std::string> files() const;
   std::string remark(const implicit::Step& step) const;
+
+  /// A step, but for its state, which is the run's.
+  struct Coarse {
+    int index = 0;
+    implicit::Equations equations;
+    int iterations = 0, cuts = 0, drags = 0;
+  };
 
   Command& command_;
   Settings settings_;
@@ -53,6 +62,7 @@ class Run {
   std::optional<Restart> restart_;
   Marks marks_;                           ///< of the next remeshing
   std::vector<std::string> meshes_;       ///< of the remeshings, from the folder; the last one is the case's
+  std::optional<Coarse> coarse_;          ///< a step found on a mesh that does not suit it, not yet reported
   std::string snapshot_;                  ///< of the last reported step, to go back to; none without remeshing
   double marked_force_ = 0;               ///< before it, N
   int failed_remeshings_ = 0;  ///< no equilibrium on the finer mesh
