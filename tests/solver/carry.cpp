@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <solver/implicit/carry.hpp>
+#include <tests/solver/origins.hpp>
 #include <tests/verify/shapes.hpp>
 
 using namespace palpate;
@@ -19,25 +19,6 @@ implicit::Model on_a_bed(int cells) {
     if (model.points[n].z() < 1e-9) bed.points.push_back({n, 1, -Vector3d::UnitZ()});
   model.region_forces = {bed};
   return model;
-}
-
-/// Every node by the corners of an old tetrahedron that holds it.
-implicit::Origins origins_in(const implicit::Model& old_model, const implicit::Model& model) {
-  implicit::Origins origins;
-  for (const auto& x : model.points) {
-    for (const auto& tet : old_model.tets) {
-      Eigen::Matrix4d corners;
-      for (int a = 0; a < 4; ++a) corners.col(a) << old_model.points[tet[a]], 1;
-      const Eigen::Vector4d weights = corners.inverse() * Eigen::Vector4d(x.x(), x.y(), x.z(), 1);
-      if (!(weights.minCoeff() >= -1e-12)) continue;
-      origins.nodes.push_back(tet);
-      origins.weights.push_back({weights(0), weights(1), weights(2), weights(3)});
-      break;
-    }
-  }
-  origins.tets.assign(model.tets.size(), 0);
-  origins.faces.assign(model.faces.size(), -1);
-  return origins;
 }
 
 Vector3d linear_slip(const Vector3d& x) { return {0.1 + 0.02 * x.x() - 0.01 * x.y(), 0.03 * x.y(), 0}; }
