@@ -40,7 +40,7 @@ bool slides_elsewhere(const implicit::ContactSums& aside, const implicit::Contac
     if (aside.points[i].beyond != run.points[i].slides) return true;
   for (std::size_t i = 0, j = 0; i < aside.pairs.size() && j < run.pairs.size();) {  // ascending; those that touch in both
     const auto &a = aside.pairs[i], &b = run.pairs[j];
-    if (a.at == b.at && a.beyond != b.slides) return true;
+    if (a.at == b.at && a.law.answer.beyond != b.law.answer.slides) return true;
     i += a.at <= b.at;
     j += b.at <= a.at;
   }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # Runs the loop on sets with hidden effects (make.py) and counts: false alarms, detection, right names, size of the reported set, errors.
 # Answers are written and hashed before the loop sees a set. Every rate comes with its number of sets and a binomial interval.
+# With a folder of an earlier count that was cut short, it goes on there: same sets, and what was run by the same program is not run again.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #   calibrate.py LOOP FOLDER --nulls N --effects a,b,c --sizes 5 --each N [--protocol short] [--repeatability 1] [--null-sets 1000]
 import argparse
@@ -10,6 +11,7 @@ import json
 import math
 import pathlib
 import random
+import shutil
 import subprocess
 import sys
 import time
@@ -56,25 +58,35 @@ def main():
     parser.add_argument("--json", type=pathlib.Path, help="where to write the counts")
     parser.add_argument("--until", default="", help="HH:MM of today, after which no further set is run")
     a = parser.parse_args()
-    a.folder.mkdir(parents=True)
+    a.folder.mkdir(parents=True, exist_ok=True)
     answers = a.folder / "answers.jsonl"
     pool = concurrent.futures.ThreadPoolExecutor(a.jobs)
-    list(pool.map(lambda p: make(a.folder / p[0], answers, protocol=a.protocol, repeatability=a.repeatability, **p[1]), plan(a)))
+    seal = a.folder / "sealed.sha256"
+    if not seal.exists():
+        list(pool.map(lambda p: make(a.folder / p[0], answers, protocol=a.protocol, repeatability=a.repeatability, **p[1]), plan(a)))
+        seal.write_text(hashlib.sha256(answers.read_bytes()).hexdigest() + "\n")
     truths = [json.loads(line) for line in answers.read_text().splitlines()]
     sealed = hashlib.sha256(answers.read_bytes()).hexdigest()
-    (a.folder / "sealed.sha256").write_text(sealed + "\n")
+    if sealed != seal.read_text().strip() or sorted(t["set"] for t in truths) != sorted(name for name, _ in plan(a)):
+        sys.exit(f"{a.folder}: not the sets that these options make")
+    program = hashlib.sha256(pathlib.Path(a.loop).read_bytes()).hexdigest()
     random.Random(a.seed).shuffle(truths)  # so that a count cut short is a fair sample
 
     def run(truth):
         if a.until and time.strftime("%H:%M") >= a.until:
             return None
         folder = a.folder / truth["set"]
+        by = folder / "by.sha256"  # the program that made the report beside it
+        if by.exists() and by.read_text().strip() == program:
+            return truth, json.loads((folder / "loop" / "report.json").read_text())
+        shutil.rmtree(folder / "loop", ignore_errors=True)
         done = subprocess.run([a.loop, "run", folder / "set.toml", folder / "loop", "--quiet", "--threads=1", f"--null-sets={a.null_sets}"],
                               capture_output=True, text=True)
         if done.returncode:
             print(truth["set"], done.stderr, file=sys.stderr)
             return None
         report = json.loads((folder / "loop" / "report.json").read_text())
+        by.write_text(program + "\n")
         print(truth["set"], report["verdict"]["kind"], report["verdict"]["alternatives"], f"{report['seconds']:.1f} s", flush=True)
         return truth, report
 

@@ -11,8 +11,8 @@ constexpr double inside_the_cone = 1e-5;
 
 /// A shear (MPa) within the bound, and its derivatives.
 struct Coulomb {
-  Eigen::Vector3d shear;
-  Eigen::Matrix3d by_trial, by_normal;  ///< by_normal: MPa
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d by_trial = Eigen::Matrix3d::Zero(), by_normal = Eigen::Matrix3d::Zero();  ///< by_normal: MPa
   Eigen::Vector3d by_pressure = Eigen::Vector3d::Zero();
   bool slides = false;  ///< at the bound
   bool beyond = false;  ///< the trial is beyond it: what `slides` is by the bound
@@ -31,6 +31,22 @@ inline Coulomb coulomb(const Eigen::Vector3d& trial, const Eigen::Vector3d& n, d
   for (Matrix3d* by : {&c.by_trial, &c.by_normal}) *by = bound / size * (*by - m * (m.transpose() * *by));
   c.by_pressure = mu * m;
   c.slides = true;
+  return c;
+}
+
+/// What a point's shear answered, and to what.
+struct KnownCoulomb {
+  Eigen::Vector3d trial = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+  double mu = 0, pressure = 0;
+  Coulomb answer;
+};
+
+/// To first order from what is known, on the same branch; `beyond` is of the trial itself.
+inline Coulomb coulomb_beside(const KnownCoulomb& known, const Eigen::Vector3d& trial, const Eigen::Vector3d& n, double mu, double pressure) {
+  Coulomb c = known.answer;
+  c.beyond = coulomb(trial, n, mu, pressure).beyond;
+  c.shear += c.by_trial * (trial - known.trial) + c.by_normal * (n - known.normal) + c.by_pressure * (pressure - known.pressure);
+  if (c.slides) c.shear += (mu - known.mu) / known.mu * known.answer.shear;
   return c;
 }
 

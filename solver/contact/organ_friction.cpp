@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/contact/organ_friction.hpp>
 
-#include <solver/contact/coulomb.hpp>
 #include <solver/contact/gap_law.hpp>
 #include <solver/contact/tool_contact.hpp>
 
@@ -48,7 +47,7 @@ Vector3d elastic_slip(const Meeting& meeting, const PairGeometry& line, const Tr
 }  // namespace
 
 PairShear pair_shear(const Meeting& meeting, const PairPoint& point, const Triangle& own_rest, const Triangle& own, const Triangle& other,
-                     const Hold& hold, double mu, double softness, Branch branch) {
+                     const Hold& hold, double mu, double softness, const KnownCoulomb* beside) {
   PairShear result;
   const double stiffness = slip_stiffness(own_rest, softness);
   const PairGeometry line = pair_geometry(meeting, own, other);
@@ -56,7 +55,8 @@ PairShear pair_shear(const Meeting& meeting, const PairPoint& point, const Trian
   const auto& M = meeting.weights;
   Rows27 by_corners;  // of the elastic slip, then of the shear
   const Vector3d slip = elastic_slip(meeting, line, own, other, hold, by_corners);
-  const Coulomb c = coulomb(-stiffness * slip, point.normal, mu, point.pressure, branch);
+  const Vector3d trial = -stiffness * slip;
+  const Coulomb c = beside ? coulomb_beside(*beside, trial, point.normal, mu, point.pressure) : coulomb(trial, point.normal, mu, point.pressure);
   by_corners = (-stiffness * c.by_trial * by_corners).eval();
   by_corners.leftCols<18>() += c.by_normal * line.normal_by_corners - point.stiffness * c.by_pressure * line.gap_by_corners;
 
@@ -68,8 +68,7 @@ PairShear pair_shear(const Meeting& meeting, const PairPoint& point, const Trian
     result.tangent.middleRows<3>(9 + 3 * a) = w * M[a] * by_corners;
     result.tangent.block<3, 18>(9 + 3 * a, 0) += w * c.shear * line.weights_by_corners.row(a);
   }
-  result.slides = c.slides;
-  result.beyond = c.beyond;
+  result.law = {trial, point.normal, mu, point.pressure, c};
   result.after = anchored(meeting, own, other, c.slides ? Vector3d((1 - inside_the_cone) * c.shear) : c.shear, stiffness);
   result.after.way = hold.before.way + slip - point.normal * point.normal.dot(slip) + hold.before.shear / stiffness;
   return result;

@@ -3,8 +3,8 @@
 // (Wriggers 2006, Computational Contact Mechanics, section 5.2.2; decision 039.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <solver/contact/coulomb.hpp>
 #include <solver/contact/organ_contact.hpp>
-#include <solver/contact/touch.hpp>
 
 namespace palpate::contact {
 
@@ -25,7 +25,7 @@ PairSlip anchored(const Meeting& meeting, const Triangle& own, const Triangle& o
 /// Unknowns: corners of the own face, of the other, of the anchor's.
 struct PairShear {
   PairSlip after;  ///< remembered if the step is accepted
-  bool slides = false, beyond = false;  ///< at the bound; whether the bound says so
+  KnownCoulomb law;
   Eigen::Matrix<double, 18, 1> residual = Eigen::Matrix<double, 18, 1>::Zero();
   Eigen::Matrix<double, 18, 27> tangent = Eigen::Matrix<double, 18, 27>::Zero();
 };
@@ -37,8 +37,8 @@ struct Hold {
   Triangle anchor, own, other;
 };
 
-/// `point`: of the same meeting, with pressure; `mu`: see Pass::friction.
+/// `point`: of the same meeting, with pressure; `mu`: see Pass::friction; `beside`: what the law answers in a run close to this one, if so.
 PairShear pair_shear(const Meeting& meeting, const PairPoint& point, const Triangle& own_rest, const Triangle& own, const Triangle& other,
-                     const Hold& hold, double mu, double softness, Branch branch = Branch::by_bound);
+                     const Hold& hold, double mu, double softness, const KnownCoulomb* beside = nullptr);
 
 }  // namespace palpate::contact

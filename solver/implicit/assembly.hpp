@@ -30,7 +30,8 @@ struct PairPlace {
   std::size_t at = 0;
   std::array<int, 6> nodes;
   contact::PairPoint point;
-  bool rubs = false, slides = false, beyond = false;  ///< friction there is; at its bound; whether that says so
+  bool rubs = false;                  ///< friction there is
+  contact::KnownCoulomb law;          ///< if so
   contact::PairSlip after;            ///< what friction remembers if the step is accepted
 };
 

@@ -53,12 +53,8 @@ void Assembly::learn_friction(const ContactSums& contact, Neighbourhood& known) 
   known.on_organs.clear();
   if (has_friction(model_))
     for (const auto& point : contact.points) known.on_tools.push_back(point.pressure > 0 ? point.slides ? slides : sticks : by_bound);
-  if (!organs_rub(model_)) return;
-  std::size_t points = 0;
-  for (const auto& pass : model_.passes) points += contact::points_per_face * pass.own.size();
-  known.on_organs.assign(points, by_bound);
   for (const auto& place : contact.pairs)
-    if (place.rubs) known.on_organs[place.at] = place.slides ? slides : sticks;
+    if (place.rubs) known.on_organs.emplace(place.at, place.law);
 }
 
 void Assembly::let_bubbles_follow(State& state, const Neighbourhood& known, const Eigen::VectorXd& step) const {

@@ -1,6 +1,7 @@
 // What is known of an equilibrium for the sake of runs close beside it (sensitivities): how its laws and bubbles answer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <map>
 #include <vector>
 
 #include <solver/archive.hpp>
@@ -23,7 +24,8 @@ struct Neighbourhood {
   std::vector<materials::KnownLaw> laws;               ///< of every sub-tetrahedron
   std::vector<elements::Condensation> condensations;  ///< of every tetrahedron
   std::vector<char> slides;                            ///< of every point of a region force: frozen, as the set of what touches is
-  std::vector<contact::Branch> on_tools, on_organs;    ///< of friction's points, as State::slips and State::pair_slips; frozen too
+  std::vector<contact::Branch> on_tools;               ///< of friction's points, as State::slips; frozen too
+  std::map<std::size_t, contact::KnownCoulomb> on_organs;  ///< of friction's points, by their place in State::pair_slips
 };
 
 /// Of every sub-tetrahedron; none where all laws have the known numbers.

@@ -57,7 +57,7 @@ void Assembly::add_organ_contact(const Meetings& meetings, const State& state, E
       const std::size_t at = first + contact::points_per_face * meeting.own + meeting.q;
       const auto now = corners_now(model_, state, own), rest = corners_at_rest(model_, own);
       PairPlace place{at, {}, contact::pair_point(meeting, rest, now, corners_now(model_, state, meeting.other), state.pair_pressures[at],
-                                                  std::min(softness_[own], softness_[meeting.other])), false, false, false, {}};
+                                                  std::min(softness_[own], softness_[meeting.other])), false, {}, {}};
       met[at] = 1;
       sums.penetration = std::max(sums.penetration, -place.point.gap / contact::face_size(rest));
       sums.mismatch = std::max(sums.mismatch, place.point.mismatch);
@@ -116,15 +116,14 @@ Eigen::Vector3d Assembly::add_shear(const contact::Pass& pass, const contact::Me
   const int anchor = before.face < 0 ? meeting.other : before.face;
   const auto shear = contact::pair_shear(meeting, place.point, corners_at_rest(model_, own), corners_now(model_, state, own), corners_now(model_, state, meeting.other),
                                          {before, corners_now(model_, state, anchor), corners_at(model_, state.before, own), corners_at(model_, state.before, meeting.other)}, pass.friction, std::min(softness_[own], softness_[meeting.other]),
-                                         beside && !beside->on_organs.empty() ? beside->on_organs[place.at] : contact::Branch::by_bound);
+                                         beside && beside->on_organs.contains(place.at) ? &beside->on_organs.at(place.at) : nullptr);
   std::array<int, 9> nodes;
   std::copy(place.nodes.begin(), place.nodes.end(), nodes.begin());
   std::copy(model_.faces[anchor].begin(), model_.faces[anchor].end(), nodes.begin() + 6);
   for (int a = 0; a < 6; ++a) equations.residual.segment<3>(4 * nodes[a]) += shear.residual.segment<3>(3 * a);
   add_blocks(nodes, shear.tangent, tangent);
   place.rubs = true;
-  place.slides = shear.slides;
-  place.beyond = shear.beyond;
+  place.law = shear.law;
   place.after = shear.after;
   return -(shear.residual.segment<3>(0) + shear.residual.segment<3>(3) + shear.residual.segment<3>(6));
 }

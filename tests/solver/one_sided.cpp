@@ -46,7 +46,7 @@ class OneSided : public CaseRuns {
       const auto& contact = found.equations.contact;
       for (std::size_t i = 0; i < contact.points.size(); ++i)
         if (contact.points[i].pressure > 0) (contact.points[i].slides ? ran.sliding : ran.sticking).insert(i);
-      for (const auto& pair : contact.pairs) (pair.slides ? ran.sliding : ran.sticking).insert(pair.at);
+      for (const auto& pair : contact.pairs) (pair.law.answer.slides ? ran.sliding : ran.sticking).insert(pair.at);
       if (sensitivities) sensitivities->follow(found.state);
     });
     EXPECT_EQ(reached, c.steps.times.back());
