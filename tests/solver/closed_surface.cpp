@@ -142,6 +142,32 @@ TEST(ClosedSurface, SignAndDistanceOfABodyWithAnInwardCorner) {
   }
 }
 
+/// By central differences away from seams, on faces, edges and corners; inside, only the edges at the inward corner bend it.
+TEST(ClosedSurface, HessianIsTheChangeOfTheNormalOnBothSides) {
+  const auto [points, triangles] = angle_iron();
+  const contact::ClosedSurface surface(points, triangles, "");
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> side(-2, 6);
+  constexpr double h = 1e-5;
+  int bent[2] = {0, 0};  // outside, inside
+  for (int i = 0; i < 9000; ++i) {
+    const Vector3d x(side(random), side(random), side(random));
+    const auto d = surface.distance(x);
+    bool smooth = std::abs(d.g) > 0.1;
+    Eigen::Matrix3d numeric;
+    for (int k = 0; k < 3; ++k) {
+      const auto plus = surface.distance(x + h * Vector3d::Unit(k)), minus = surface.distance(x - h * Vector3d::Unit(k));
+      smooth = smooth && (plus.n - minus.n).norm() < 1e-3 && (plus.hessian - minus.hessian).norm() < 0.05;
+      numeric.col(k) = (plus.n - minus.n) / (2 * h);
+    }
+    if (!smooth) continue;
+    EXPECT_LE((numeric - d.hessian).norm(), 1e-6 * (1 + d.hessian.norm())) << x.transpose();
+    bent[d.g < 0] += d.hessian.norm() > 0;
+  }
+  EXPECT_GT(bent[0], 500);
+  EXPECT_GT(bent[1], 20);
+}
+
 TEST(ClosedSurface, NearestPointOfATriangleIsTheNearestOfItsPoints) {
   const std::array<Vector3d, 3> corners = {Vector3d(0, 0, 0), Vector3d(5, 0, 0.5), Vector3d(-1, 0.8, 0)};  // obtuse
   std::mt19937 random(11);

@@ -144,6 +144,20 @@ implicit::Model one_over_another(int cells, double friction) {
 
 }  // namespace
 
+/// The work of its shear ends where it left; with its way lost, all that it had rubbed would count once more.
+TEST(OrganFriction, APointThatLeavesKeepsItsWay) {
+  const auto model = one_over_another(1, 0.3);
+  auto state = implicit::rest_state(model);
+  const Vector3d way(0.3, -0.2, 0.1);
+  for (auto& slip : state.pair_slips) slip = {1, {0.2, 0.3, 0.5}, Vector3d(1e-4, 0, 0), way};
+  implicit::remember_slips(model, {}, state);
+  for (const auto& slip : state.pair_slips) {
+    EXPECT_EQ(slip.way, way);
+    EXPECT_EQ(slip.shear, Vector3d(0, 0, 0));
+    EXPECT_EQ(slip.face, -1);
+  }
+}
+
 /// Pressed together, with a shear that is the same everywhere: on a mesh twice as fine every point asks for that shear again.
 TEST(OrganFriction, AFinerMeshIsToldTheShear) {
   const auto coarse = one_over_another(1, 0.3), fine = one_over_another(2, 0.3);
