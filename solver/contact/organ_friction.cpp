@@ -70,6 +70,7 @@ PairShear pair_shear(const Meeting& meeting, const PairPoint& point, const Trian
   }
   result.law = {trial, point.normal, mu, point.pressure, c};
   result.after = anchored(meeting, own, other, c.slides ? Vector3d((1 - inside_the_cone) * c.shear) : c.shear, stiffness);
+  if (c.slides) result.after.beyond = (trial - point.normal * point.normal.dot(trial) - c.shear) / stiffness;
   result.after.way = hold.before.way + slip - point.normal * point.normal.dot(slip) + hold.before.shear / stiffness;
   return result;
 }

@@ -14,6 +14,7 @@ struct PairSlip {
   std::array<double, 3> weights{};  ///< of its corners; a little beyond the face where elastic slip asks for it
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< of the other organ on the own face, MPa: what the anchor will ask for again
   Eigen::Vector3d way = Eigen::Vector3d::Zero();    ///< that the point has slipped so far, mm, for the balance of energy
+  Eigen::Vector3d beyond = Eigen::Vector3d::Zero();  ///< elastic slip that the bound took in the last step, mm: tells a finer mesh which way it slid
 };
 
 /// Stiffness of elastic slip, MPa/mm: that of contact at no pressure.

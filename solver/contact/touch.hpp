@@ -13,6 +13,7 @@ enum class Branch { by_bound, sticks, slides };
 struct Slip {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< MPa
+  Eigen::Vector3d place_before = Eigen::Vector3d::Zero(), shear_before = Eigen::Vector3d::Zero();  ///< of the step before; where it stuck, of this one: what a finer mesh goes on from
 };
 
 struct Touch {

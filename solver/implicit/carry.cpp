@@ -97,9 +97,12 @@ void carry_contact(const Model& old_model, const State& old_state, const Model& 
       for (int q = 0; q < points && origins.faces[f] >= 0; ++q) {
         const std::size_t to = (i * faces + f) * points + q, at = (i * old_faces + origins.faces[f]) * points + from[f][q];
         state.contact_pressures[to] = old_state.contact_pressures[at];
-        if (!state.slips.empty()) state.slips[to].shear = old_state.slips[at].shear;
+        if (state.slips.empty()) continue;
+        const auto& slip = old_state.slips[at];
+        state.slips[to].place -= slip.place - slip.place_before;
+        state.slips[to].shear = slip.shear_before;
       }
-  std::vector<Vector3d> shears(state.pair_slips.size(), Vector3d::Zero());
+  std::vector<contact::PairSlip> slips(state.pair_slips.size());
   std::size_t first = 0, old_first = 0;
   for (std::size_t p = 0; p < model.passes.size(); ++p) {
     const auto &own = model.passes[p].own, &old_own = old_model.passes[p].own;
@@ -110,13 +113,13 @@ void carry_contact(const Model& old_model, const State& old_state, const Model& 
       for (int q = 0; q < points && parent >= 0 && place[parent] >= 0; ++q) {
         const std::size_t to = first + i * points + q, at = old_first + place[parent] * points + from[own[i]][q];
         state.pair_pressures[to] = old_state.pair_pressures[at];
-        if (!shears.empty()) shears[to] = old_state.pair_slips[at].shear;
+        if (!slips.empty()) slips[to] = old_state.pair_slips[at];
       }
     }
     first += own.size() * points;
     old_first += old_own.size() * points;
   }
-  if (!shears.empty()) anchor_again(model, shears, state);
+  if (!slips.empty()) anchor_again(model, slips, state);
 }
 
 }  // namespace

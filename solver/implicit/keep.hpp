@@ -6,10 +6,10 @@
 
 namespace palpate::contact {
 
-inline void keep(Archive& a, Slip& x) { a(x.place, x.shear); }
+inline void keep(Archive& a, Slip& x) { a(x.place, x.shear, x.place_before, x.shear_before); }
 inline void keep(Archive& a, Point& x) { a(x.pressure, x.stiffness, x.normal, x.shear, x.cling, x.slides, x.beyond); }
 inline void keep(Archive& a, PairPoint& x) { a(x.gap, x.pressure, x.stiffness, x.energy, x.mismatch, x.normal, x.gap_by_corners, x.residual, x.tangent); }
-inline void keep(Archive& a, PairSlip& x) { a(x.face, x.weights, x.shear, x.way); }
+inline void keep(Archive& a, PairSlip& x) { a(x.face, x.weights, x.shear, x.way, x.beyond); }
 inline void keep(Archive& a, Coulomb& x) { a(x.shear, x.by_trial, x.by_normal, x.by_pressure, x.slides, x.beyond); }
 inline void keep(Archive& a, KnownCoulomb& x) { a(x.trial, x.normal, x.mu, x.pressure, x.answer); }
 

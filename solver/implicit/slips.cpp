@@ -20,10 +20,14 @@ void remember_of_tools(const Model& model, const std::vector<contact::Point>& po
     for (int f = 0; f < static_cast<int>(model.faces.size()); ++f) {
       const auto corners = corners_now(model, state, f);
       for (int q = 0; q < contact::points_per_face; ++q, ++at) {
-        state.slips[at].place = contact::place(tool, now, corners, q);
-        state.slips[at].shear = at < points.size() ? points[at].shear : Vector3d::Zero();
-        if (at < points.size() && points[at].slides) state.slips[at].shear *= 1 - contact::inside_the_cone;
-        if (tool.turns()) state.slips[at].shear = tool.rotation(now.angle).transpose() * state.slips[at].shear;
+        auto& slip = state.slips[at];
+        const contact::Slip before = slip;
+        slip = {contact::place(tool, now, corners, q), at < points.size() ? points[at].shear : Vector3d::Zero()};
+        if (at < points.size() && points[at].slides) slip.shear *= 1 - contact::inside_the_cone;
+        if (tool.turns()) slip.shear = tool.rotation(now.angle).transpose() * slip.shear;
+        const bool moved_on = at < points.size() && (points[at].slides || !(points[at].pressure > 0));
+        slip.place_before = moved_on ? before.place : slip.place;
+        slip.shear_before = moved_on ? before.shear : slip.shear;
       }
     }
   }
@@ -45,7 +49,7 @@ void remember_slips(const Model& model, const ContactSums& contact, State& state
   if (organs_rub(model)) remember_of_organs(contact.pairs, state);
 }
 
-void anchor_again(const Model& model, const std::vector<Vector3d>& shears, State& state) {
+void anchor_again(const Model& model, const std::vector<contact::PairSlip>& carried, State& state) {
   remember_of_organs({}, state);
   const auto rest = faces_at_rest(model), now = faces_now(model, state);
   const auto softness = softness_of_faces(model);
@@ -56,7 +60,7 @@ void anchor_again(const Model& model, const std::vector<Vector3d>& shears, State
         const int own = pass.own[meeting.own];
         const std::size_t at = first + contact::points_per_face * meeting.own + meeting.q;
         const double stiffness = contact::slip_stiffness(rest[own], std::min(softness[own], softness[meeting.other]));
-        state.pair_slips[at] = contact::anchored(meeting, now[own], now[meeting.other], shears[at], stiffness);
+        state.pair_slips[at] = contact::anchored(meeting, now[own], now[meeting.other], carried[at].shear + stiffness * carried[at].beyond, stiffness);
       }
     first += contact::points_per_face * pass.own.size();
   }
