@@ -1,6 +1,7 @@
 // Reading who may touch whom: [[contact]] between = ["a", "b"], or self = "a"; and how rough they are to each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <set>
 
 #include <palpate/errors.hpp>
 #include <solver/case_parts.hpp>
@@ -47,11 +48,16 @@ void read_contacts(const Settings& settings, Case& c) {
   const auto tables = settings.tables("contact");
   if (tables.empty()) return;
   const auto tets = implicit::tets_of_faces(c.model);
+  std::set<std::vector<std::string>> seen;
   for (const auto& table : tables) {
     if (table.has("between") == table.has("self"))
       throw Failure(ExitCode::misuse, "a contact is between two regions or of one with itself", table.where(), "between = [\"a\", \"b\"] or self = \"a\"");
     const auto known = region_names(c.mesh);
     const auto names = table.has("self") ? std::vector{table.choice("self", known)} : pair_of_names(table, known);
+    auto sorted = names;
+    std::sort(sorted.begin(), sorted.end());
+    if (!seen.insert(sorted).second)
+      throw Failure(ExitCode::misuse, "this contact is given twice: it would press and rub twice", table.where(), "one [[contact]] for the two");
     std::vector<std::vector<int>> faces(2);
     for (std::size_t i = 0; i < names.size(); ++i) faces[i] = faces_of(names[i], c, tets, table.where());
     const double friction = coulombs_coefficient(table);

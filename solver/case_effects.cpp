@@ -49,6 +49,8 @@ std::vector<double> effect_parameters(const effects::Effect& effect, const Setti
 
 double coulombs_coefficient(const Settings& table) {
   const bool sticks = table.flag("sticking", false);
+  if (sticks && table.has("friction"))
+    throw Failure(ExitCode::misuse, "friction is given, but what touches sticks", table.where("friction"), "leave out friction, or sticking = true");
   return sticks ? std::numeric_limits<double>::infinity() : table.real("friction", 0, effects::friction().entry.parameters.front().range);
 }
 

@@ -250,6 +250,10 @@ TEST_F(CaseFile, ContactIsBetweenRegionsOfTheMesh) {
   EXPECT_TRUE(says(refusal(neo_hookean, with("between = [\"lower\", \"lower\"]\n")), "two regions"));
   EXPECT_TRUE(says(refusal(neo_hookean, with("between = [\"lower\", \"tube\"]\n")), "tube"));
   EXPECT_TRUE(says(refusal(neo_hookean, with("self = \"tube\"\n")), "tube"));
+  const std::string once = "between = [\"lower\", \"upper\"]\n", again = "[[contact]]\nbetween = [\"upper\", \"lower\"]\n";
+  EXPECT_TRUE(says(refusal(neo_hookean, with(once + "friction = 0.2\n" + again)), "given twice"));
+  EXPECT_TRUE(says(refusal(neo_hookean, with(once + "friction = 0.2\nsticking = true\n")), "what touches sticks"));
+  EXPECT_EQ(read_whole(neo_hookean, with(once + "friction = 0.2\nsticking = false\n[[contact]]\nself = \"upper\"\n")).model.passes.size(), 3u);
   EXPECT_TRUE(says(refusal(neo_hookean, with("")), "two regions or of one with itself"));
 }
 
