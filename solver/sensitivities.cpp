@@ -91,6 +91,7 @@ void Sensitivities::use_mesh(const std::filesystem::path& mesh, implicit::Equili
     Settings settings = Settings::read(settings_.file());
     if (!shadow->path.empty()) settings.shift(shadow->path, shadow->change);
     auto fresh = std::make_unique<Shadow>(shadow->path, shadow->change, case_on(settings, mesh, shadow->the_case), threads_);
+    fresh->one_sided = shadow->one_sided;
     if (origins) fresh->state = implicit::carried(shadow->the_case.model, shadow->state, fresh->the_case.model, *origins);
     if (shadow->own) fresh->own = std::make_unique<implicit::Equilibrium>(fresh->the_case.model, threads_);
     shadow = std::move(fresh);
