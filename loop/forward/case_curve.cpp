@@ -136,7 +136,7 @@ Tissue base_of_case(const Set& set, const Tissue& start) { return has_one_materi
 
 SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start, bool law_open, const std::vector<double>& inclusions_mm, int threads, SiteCurve& curve) {
   const fs::path& file = job.set->specimen.case_file;
-  const fs::path own = mesh_of_case(file);
+  const fs::path own = mesh_of_case(file), searched = job.set->specimen.search_mesh.empty() ? own : job.set->specimen.search_mesh;
   fs::create_directories(job.kept);
   const double contact = std::min(std::sqrt(site.tool.radius_mm * job.deepest_mm), site.tool.radius_mm);
   const fs::path finer = refined_mesh(job, own, contact);
@@ -146,28 +146,32 @@ SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start
   const Tissue base = base_of_case(*job.set, start);
   const std::string plain = rest + (one ? material_text(base) : "");
   if (one) curve.changes = changes_of(job, site, start, law_open, inclusions_mm);
-  std::vector<Variant> variants(2, {plain, {}, {}});
+  const std::size_t bases = one && searched != own ? 3 : 2;  // on the own mesh, the finer one, that of the changes
+  std::vector<Variant> variants(bases, {plain, {}, {}});
   for (const SolvedChange& change : curve.changes)
     for (const auto& c : change.curves) variants.push_back({rest + words_of(change, c.amplitude, base, job, curve.surface_mm), {}, {}});
-  const int count = static_cast<int>(variants.size());
   SolvedMotion relaxed;  // left empty where it fails: springs stay as they are
-  for_each_index(count + (one ? 1 : 0), threads, [&](int i) {
+  for_each_index(static_cast<int>(bases), threads, [&](int i) { variants[i].curve = solved(job, plain, i == 0 ? own : i == 1 ? finer : searched, base_steps); });
+  const SolvedCurve& without = variants[bases == 2 ? 0 : 2].curve;
+  if (const double ratio = without.at(job.deepest_mm) / variants[0].curve.at(job.deepest_mm); !(std::abs(std::log(ratio)) < std::log(1.5)))
+    throw Failure(ExitCode::refused, "on the search mesh the force is " + std::to_string(ratio) + " times that on the mesh of the case", searched.string(), "search_mesh: a coarser mesh of the same organ");
+  const int others = static_cast<int>(variants.size() - bases);
+  for_each_index(one ? others + 1 : 0, threads, [&](int i) {
     try {
-      if (i == count) relaxed = solved_motion(job, plain + relaxing_words(), relaxing_motion(job.deepest_mm), own);
-      else variants[i].curve = solved(job, variants[i].text, i == 1 ? finer : own, i < 2 ? base_steps : base_steps / 2);
+      if (i == others) relaxed = solved_motion(job, plain + relaxing_words(), relaxing_motion(job.deepest_mm), searched);
+      else variants[bases + i].curve = solved(job, variants[bases + i].text, searched, base_steps / 2);
     } catch (const Failure& failure) {
-      if (i < 2) throw;
-      if (i < count) variants[i].failure = failure.what();
+      if (i < others) variants[bases + i].failure = failure.what();
     }
   });
-  std::size_t next = 2;
+  std::size_t next = bases;
   for (SolvedChange& change : curve.changes) {
     std::vector<const Variant*> its;
     for (std::size_t k = 0; k < change.curves.size(); ++k) its.push_back(&variants[next++]);
-    tell(change, its, variants[0].curve);
+    tell(change, its, without);
   }
   if (!relaxed.t_s.empty()) {
-    const MemoryLength length = memory_length(relaxed, variants[0].curve, job.deepest_mm);
+    const MemoryLength length = memory_length(relaxed, without, job.deepest_mm);
     curve.memory_mm = length.mm;
     curve.memory_missed = {length.before, length.after};
   }

@@ -11,7 +11,8 @@
 namespace palpate::loop {
 
 /// Solves the case as neo-Hookean on its own mesh and on one with edges half as long under the tool (palpate-remesh), and, for a case of one material, on its own mesh
-/// every departure that `start` may have or turn to, and a motion with relaxation (memory_length). The curve is extrapolated from the meshes; changes are those on its own (decision 045).
+/// every departure that `start` may have or turn to, and a motion with relaxation (memory_length). The curve is extrapolated from the meshes; changes are those on its own, or on the set's search_mesh
+/// against the curve there (decision 045).
 /// `law_open`: another law may be asked for; `inclusions_mm`: depths at which an inclusion may lie under this place. Gives the curve of the base, without departures. Throws as
 /// `solved` does where the base fails; of a departure that fails the curve says so.
 SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start, bool law_open, const std::vector<double>& inclusions_mm, int threads, SiteCurve& curve);

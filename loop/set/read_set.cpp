@@ -58,6 +58,11 @@ Specimen read_specimen(const Settings& s, const std::filesystem::path& folder) {
   if (s.has("case")) {
     specimen.case_file = folder / s.text("case");
     read_case_material(Settings::read(specimen.case_file), specimen);
+    if (s.has("search_mesh")) {
+      specimen.search_mesh = folder / s.text("search_mesh");
+      if (!std::filesystem::is_regular_file(specimen.search_mesh))
+        throw Failure(ExitCode::unreadable, "no such file: " + specimen.search_mesh.string(), s.where("search_mesh"), "a mesh of palpate-mesh of the same organ, or leave the key out");
+    }
   } else if (s.has("shape")) {
     specimen.shape = s.choice("shape", {"block", "cylinder", "ellipsoid", "tube"});
     specimen.size_mm = read_size(s, specimen.shape);

@@ -31,6 +31,7 @@ struct Tool {
 struct Specimen {
   std::string id;
   std::filesystem::path case_file;  ///< empty: a simple shape, or homogeneous tests alone
+  std::filesystem::path search_mesh;  ///< of a case: a coarser mesh of the same organ, on which what changes its curve is solved; empty: the case's own
   std::string shape;                ///< block, cylinder, ellipsoid, tube (for a clamp) or empty
   Vec3 size_mm{0, 0, 0};            ///< block: edges; cylinder, tube: diameter, diameter, height; ellipsoid: axes
   double wall_mm = 0;               ///< of a tube, as declared

@@ -19,9 +19,19 @@ for name in none drift; do
   find kept -name history.csv | wc -l >"$name.count"
 done
 cmp none.count drift.count || { echo "the second set was solved again" >&2; exit 1; }
+
+# changes on a coarser mesh: the curve stays that of the case's mesh, and no more than that mesh is solved anew; another organ is refused
+"$bin/palpate-mesh" result/surface.vtp search.vtu --edge 6 --focus 6.5,-12.1,0 --focus-edge 1.8 --focus-radius 3 --quiet
+sed 's#^case = .*#&\nsearch_mesh = "../../search.vtu"#' sets/none_0/set.toml >sets/none_0/searched.toml
+"$bin/palpate-loop" run sets/none_0/searched.toml searched --solves kept --quiet --null-sets 200 >/dev/null
+"$bin/test-block" other.vtu 2 4 4 4 10
+sed 's#search.vtu#other.vtu#' sets/none_0/searched.toml >sets/none_0/other.toml
+got=0
+"$bin/palpate-loop" run sets/none_0/other.toml other --solves kept --quiet --null-sets 200 2>message >/dev/null || got=$?
+if [ "$got" != 6 ] || ! grep -q "other.vtu" message || [ -e other ]; then echo "another organ as search mesh: code $got" >&2; cat message >&2; exit 1; fi
 python3 - <<'P'
 import json
-none, drift = (json.load(open(f"{name}/report.json")) for name in ("none", "drift"))
+none, drift, searched = (json.load(open(f"{name}/report.json")) for name in ("none", "drift", "searched"))
 truth = [json.loads(line) for line in open("sets/answers.jsonl")][1]["knobs"]["drift"]
 for report in (none, drift):
     print(report["verdict"]["kind"], report["verdict"]["effects"], [(c["tool"], c["solved_over_closed"], c["finer_mesh_shift"], c["nodes"]) for c in report["solved_curves"]])
@@ -30,4 +40,10 @@ assert drift["verdict"]["effects"] == ["drift"], drift["verdict"]
 value = next(p["value"] for p in drift["parameters"] if p["name"] == "drift.d")
 assert abs(value / truth - 1) <= 0.1, (value, truth)
 assert all(c["finer_mesh_shift"] < 0 for c in none["solved_curves"]), "a finer mesh is not softer"
+assert searched["verdict"]["kind"] == "nothing_supported", searched["verdict"]
+for own, coarse in zip(none["solved_curves"], searched["solved_curves"]):
+    assert coarse["solved_over_closed"] == own["solved_over_closed"] and coarse["finer_mesh_shift"] == own["finer_mesh_shift"], "the curve hangs on the search mesh"
+    far = [abs(a["deepest"] / b["deepest"] - 1) for x, y in zip(own["changes"], coarse["changes"]) for a, b in zip(x["solved"], y["solved"])]
+    print("changes on the search mesh apart", max(far))
+    assert 0 < max(far) < 0.06, far
 P
