@@ -19,7 +19,7 @@ TABLE = pathlib.Path(__file__).with_name("curves.csv")
 # Effect, amplitudes, radii of the ball (mm). Depths: to nine tenths of the larger ball's radius, to 1.2 of the smaller one's.
 CASES = {"none": ([0], [5.0, 2.5]), "thickness": ([-0.3, -0.2, -0.1, -0.05], [5.0, 2.5]), "compressibility": ([0.005, 0.02, 0.05, 0.1], [5.0, 2.5]),
          "stiffening": ([0.25, 0.5, 1.0, 2.0], [5.0, 2.5]), "inclusion": ([0.5, 1.0, 2.0, 4.0], [5.0]), "capsule": ([0.005, 0.01, 0.02, 0.05], [5.0, 2.5]),
-         "support": ([0.5, 1.0, 2.0, 4.0], [5.0, 2.5]),
+         "support": ([0.5, 1.0, 2.0, 4.0, 8.0], [5.0, 2.5]),
          "narrow": ([30, 20], [5.0, 2.5]), "height": ([8, 12], [5.0, 2.5])}
 
 
@@ -32,11 +32,11 @@ def graded(first, even, end):
     return [p * end / places[-1] for p in places]
 
 
-def layer_model(gf, np, radius, effect, amplitude):
+def layer_model(gf, np, radius, effect, amplitude, cells_per_radius=10):
     """Model, method of integration, mesh and displacements. Amplitudes: share of the height; 1/2 - Poisson's ratio; Demiray's b; excess stiffness of a ball of 5 mm
     radius 7 mm under the surface; E h of a skin, N/mm; softness of a bed under the layer, mm of a column at 1 MPa over the layer's own 1/(3 MU) per mm; radius of a cylinder instead of SIDE, mm; height instead of HEIGHT."""
     h = amplitude if effect == "height" else HEIGHT * (1 + (amplitude if effect == "thickness" else 0))
-    first = radius / 10
+    first = radius / cells_per_radius
     mesh = gf.Mesh("cartesian", np.array(graded(first, 1.3 * radius, amplitude if effect == "narrow" else SIDE)), h - np.array(graded(first, 0.8 * radius, h))[::-1])
     for region, (axis, value) in enumerate([(1, 0.0), (1, h), (0, 0.0)], start=1):
         faces = mesh.outer_faces()

@@ -20,7 +20,17 @@ def read_curves():
     return curves
 
 
-CURVES = read_curves()
+def read_radii():
+    """Radius of the ball -> (root of depth, contact radius over that root)."""
+    radii = {}
+    with open(pathlib.Path(__file__).with_name("contact_radii.csv")) as file:
+        for row in csv.DictReader(file):
+            root = math.sqrt(float(row["depth[mm]"]))
+            radii.setdefault(float(row["radius[mm]"]), []).append((root, float(row["contact_radius[mm]"]) / root))
+    return radii
+
+
+CURVES, RADII = read_curves(), read_radii()
 
 
 def cubic(points, x):
@@ -147,31 +157,60 @@ def reached_by_tool(depths, run, knobs):
     return depths
 
 
-def sticking(depths, radius, work):
-    """Force beyond Hertz' on the way back, where the contact holds on until its edge's energy release reaches `work`, J/m^2 (Maugis and Barquins 1978; Johnson,
-    Kendall and Roberts 1971), on the way in none; half-space of E* = 0.04 MPa."""
-    stiffness, work, a, extra = 0.04, 1e-3 * work, 0.0, []
+def fitted(points, degree):
+    """Coefficients of the polynomial of least squares, lowest first, by its normal equations."""
+    rows = [[sum(x ** (i + j) for x, _ in points) for j in range(degree + 1)] + [sum(y * x**i for x, y in points)] for i in range(degree + 1)]
+    for i in range(degree + 1):  # Gauss and Jordan
+        row = [v / rows[i][i] for v in rows[i]]
+        rows = [row if k == i else [v - r[i] * w for v, w in zip(r, row)] for k, r in enumerate(rows)]
+    return [row[-1] for row in rows]
+
+
+def at(polynomial, x):
+    return sum(c * x**k for k, c in enumerate(polynomial))
+
+
+def slope(polynomial):
+    return [k * c for k, c in enumerate(polynomial)][1:]
+
+
+def sticking(depths, run, knobs):
+    """Force beyond the elastic one on the way back, where the contact holds on until its edge's energy release D^2 K'(a)/(4 pi a) reaches the work of adhesion (Maugis and Barquins 1978), D
+    how far the tool is drawn back; on the way in none. K is the solved curve's, K'/K that of a flat punch on the layer at small strain (Dhaliwal and Rau 1970, as a cubic). A contact is
+    known by s, the root of the depth at which it is as wide without adhesion: force and radius are smooth in s."""
+    work = 1e-3 * knobs["adhesion"]
+    places = [s for s, _ in CURVES["none", 0.0, run["radius"]]]
+    force = [0, 0, 0] + fitted([(s, elastic(s * s, run, knobs) / s**3) for s in places], 5)
+    radius = [0] + fitted(RADII[run["radius"]], 3)
+    stiffness = [c / 2 for c in slope(force)[1:]]  # dF/dd
+    punch = [0, 1, 1.1230, 1.3332, 0.3431]  # a/h times a punch's force over that on a half-space
+
+    def drawn(s):
+        a = at(radius, s)
+        return math.sqrt(4 * math.pi * work * a * at(punch, a / HEIGHT) * HEIGHT / (at(stiffness, s) * at(slope(punch), a / HEIGHT))) if s > 0 else 0.0
+
+    neck = lambda s: s * s - drawn(s)
+    pulled_off = min((k / 400 * places[-1] for k in range(401)), key=neck)  # where the neck is longest
+    s, extra = 0.0, []
     for d in depths:
-        a = max(a, math.sqrt(radius * d)) if d > 0 else a
-        neck = lambda a: a * a / radius - math.sqrt(2 * math.pi * a * work / stiffness)
-        if a > 0 and neck(a) > d:  # it shrinks: the larger root, above the pull-off's radius, where neck is smallest
-            low, high = (math.pi * work * radius**2 / (8 * stiffness)) ** (1 / 3), a
-            if neck(low) > d or low > a:
-                a = 0.0
+        s = max(s, math.sqrt(d)) if d > 0 else s
+        if s > 0 and neck(s) > d:  # it shrinks: the larger root
+            low, high = pulled_off, s
+            if neck(low) > d or low > s:
+                s = 0.0
             else:
                 for _ in range(50):
                     middle = 0.5 * (low + high)
                     low, high = (middle, high) if neck(middle) < d else (low, middle)
-                a = low
-        with_neck = 4 / 3 * stiffness * a**3 / radius - 2 * stiffness * a * (a * a / radius - d)
-        extra.append(with_neck - 4 / 3 * stiffness * math.sqrt(radius) * max(d, 0.0) ** 1.5 if a > 0 else 0.0)
+                s = low
+        extra.append(at(force, s) - at(stiffness, s) * (s * s - d) - at(force, math.sqrt(max(d, 0))) if s > 0 else 0.0)
     return extra
 
 
 def contact(times, depths, force, run, knobs):
     """Friction with an arctangent slip law, a logarithmic rate, adhesion, and what no catalogue holds."""
     if knobs.get("adhesion"):
-        force = [f + e for f, e in zip(force, sticking(depths, run["radius"], knobs["adhesion"]))]
+        force = [f + e for f, e in zip(force, sticking(depths, run, knobs))]
     step, radius = times[1] - times[0], run["radius"]
     s, before, fresh = 0.0, 0.0, run["fresh"]
     for i, d in enumerate(depths):

@@ -81,7 +81,7 @@ double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   if (!(depth > 0)) return 0;
   const double R = site.tool.radius_mm, h = site.thickness_mm * tissue.thickness_factor;
   const double mu = tissue.law->shear_modulus(tissue.parameters), from_nu = 1 / (2 * (1 - tissue.nu));
-  const bool flat = site.tool.kind == "flat_punch" || site.tool.kind == "flat";
+  const bool flat = site.tool.is_flat();
   const double a = flat ? R : std::sqrt(R * depth), x = depth / R, chi = a / h;
   const double half_space = flat ? 8 * R * mu * depth : 16.0 / 3 * mu * a * depth;
   const bool deep = site.strains == Strains::finite && !flat && tissue.law->name != "hooke_linear";
@@ -89,6 +89,7 @@ double elastic_force(const Site& site, const Tissue& tissue, double depth) {
   const bool series = site.strains == Strains::series && !flat;
   double factor = (series ? dimitriadis_factor(site.bonded, tissue.nu, chi) : layer_factor(flat, site.bonded, tissue.nu, chi)) * (deep ? law_over_neo_hookean_deep(tissue, y) : law_over_neo_hookean(tissue, y));
   if (deep) factor *= neo_hookean_depth(x, chi) * compressible_depth(tissue.nu, x, chi);
+  if (tissue.bed_mm_per_MPa > 0) factor *= std::pow(bed_factor(flat, mu * tissue.bed_mm_per_MPa / h, chi), deep ? std::max(1 - 0.27 * x, 0.0) : 1);
   const double bare = half_space * from_nu * factor * inclusion_factor(site, tissue, a);
   return bare + skin_force(tissue, R, depth, chi, bare);
 }

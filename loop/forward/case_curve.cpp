@@ -3,6 +3,7 @@
 #include <loop/forward/case_curve.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <palpate/errors.hpp>
@@ -130,6 +131,11 @@ void tell(SolvedChange& change, const std::vector<const Variant*>& solves, const
   change.curves = std::move(done);
 }
 
+void refuse_another_organ(double force_ratio, const fs::path& searched) {
+  if (!(std::abs(std::log(force_ratio)) < std::log(1.5)))
+    throw Failure(ExitCode::refused, "on the search mesh the force is " + std::to_string(force_ratio) + " times that on the mesh of the case", searched.string(), "search_mesh: a coarser mesh of the same organ");
+}
+
 }  // namespace
 
 Tissue base_of_case(const Set& set, const Tissue& start) { return has_one_material(set.specimen.case_file) ? without_departures(start) : start; }
@@ -146,22 +152,27 @@ SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start
   const Tissue base = base_of_case(*job.set, start);
   const std::string plain = rest + (one ? material_text(base) : "");
   if (one) curve.changes = changes_of(job, site, start, law_open, inclusions_mm);
-  const std::size_t bases = one && searched != own ? 3 : 2;  // on the own mesh, the finer one, that of the changes
+  std::vector<fs::path> meshes{finer, own};  // of the case without changes: that which takes longest first
+  if (one && searched != own) meshes.push_back(searched);
+  const std::size_t bases = meshes.size();
   std::vector<Variant> variants(bases, {plain, {}, {}});
   for (const SolvedChange& change : curve.changes)
     for (const auto& c : change.curves) variants.push_back({rest + words_of(change, c.amplitude, base, job, curve.surface_mm), {}, {}});
   SolvedMotion relaxed;  // left empty where it fails: springs stay as they are
-  for_each_index(static_cast<int>(bases), threads, [&](int i) { variants[i].curve = solved(job, plain, i == 0 ? own : i == 1 ? finer : searched, base_steps); });
-  const SolvedCurve& without = variants[bases == 2 ? 0 : 2].curve;
-  if (const double ratio = without.at(job.deepest_mm) / variants[0].curve.at(job.deepest_mm); !(std::abs(std::log(ratio)) < std::log(1.5)))
-    throw Failure(ExitCode::refused, "on the search mesh the force is " + std::to_string(ratio) + " times that on the mesh of the case", searched.string(), "search_mesh: a coarser mesh of the same organ");
-  const int others = static_cast<int>(variants.size() - bases);
-  for_each_index(one ? others + 1 : 0, threads, [&](int i) {
+  const SolvedCurve &of_own = variants[1].curve, &without = variants[bases - 1].curve;
+  std::atomic<int> compared = 0;
+  const int all = static_cast<int>(variants.size());
+  for_each_index(one ? all + 1 : all, threads, [&](int i) {
+    if (i < static_cast<int>(bases)) {
+      variants[i].curve = solved(job, plain, meshes[i], base_steps);
+      if (bases == 3 && i > 0 && ++compared == 2) refuse_another_organ(without.at(job.deepest_mm) / of_own.at(job.deepest_mm), searched);
+      return;
+    }
     try {
-      if (i == others) relaxed = solved_motion(job, plain + relaxing_words(), relaxing_motion(job.deepest_mm), searched);
-      else variants[bases + i].curve = solved(job, variants[bases + i].text, searched, base_steps / 2);
+      if (i == all) relaxed = solved_motion(job, plain + relaxing_words(), relaxing_motion(job.deepest_mm), searched);
+      else variants[i].curve = solved(job, variants[i].text, searched, base_steps / 2);
     } catch (const Failure& failure) {
-      if (i < others) variants[bases + i].failure = failure.what();
+      if (i < all) variants[i].failure = failure.what();
     }
   });
   std::size_t next = bases;
@@ -177,7 +188,7 @@ SolvedCurve solve_case(const SiteJob& job, const Site& site, const Tissue& start
   }
   curve.solves = static_cast<int>(variants.size()) + (one ? 1 : 0);
   curve.nodes = static_cast<int>(read_mesh(finer).points.size());
-  return extrapolated(variants[1].curve, variants[0].curve, curve);
+  return extrapolated(variants[0].curve, of_own, curve);
 }
 
 }  // namespace palpate::loop

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string_view>
 
 #include <palpate/errors.hpp>
 #include <palpate/mesh_files.hpp>
@@ -15,9 +16,21 @@ namespace palpate::loop {
 
 namespace fs = std::filesystem;
 
+constexpr double never_slips = 1e6;        // of palpate-solve's support
 constexpr double adhesion_range_mm = 0.3;  // forces do not hang on it where it is small beside the tool, and smaller than faces it makes them jump
 
 bool has_one_material(const fs::path& case_file) { return Settings::read(case_file).tables("material").size() == 1; }
+
+bool remembers(const fs::path& case_file) {
+  constexpr std::string_view still[] = {"schema", "title", "mesh", "base", "symmetry", "spring", "material", "effect", "tool", "steps"}, elastic[] = {"capsule", "thickness", "prestress", "inclusion", "support"};
+  const auto among = [](const auto& names, const std::string& name) { return std::find(std::begin(names), std::end(names), name) != std::end(names); };
+  const Settings settings = Settings::read(case_file);
+  const auto keys = settings.keys();
+  const auto effects = settings.tables("effect"), tools = settings.tables("tool");
+  return !std::all_of(keys.begin(), keys.end(), [&](const std::string& key) { return among(still, key); }) ||
+         !std::all_of(effects.begin(), effects.end(), [&](const Settings& effect) { return among(elastic, effect.text("name")) && effect.real("friction", never_slips) >= never_slips; }) || tools.size() != 1 || tools[0].has("friction") ||
+         tools[0].has("sticking") || tools[0].has("control") || tools[0].has("turn");
+}
 
 fs::path mesh_of_case(const fs::path& file) { return file.parent_path() / Settings::read(file).text("mesh", "mesh.vtu"); }
 

@@ -12,6 +12,9 @@ namespace palpate::loop {
 /// A case of several materials is solved as it is: a law of the loop stands for all of them.
 bool has_one_material(const std::filesystem::path& case_file);
 
+/// False where each depth of the tool has its one force, whatever came before: nothing in the case moves, rubs, sticks, relaxes or softens.
+bool remembers(const std::filesystem::path& case_file);
+
 /// The mesh that a case names.
 std::filesystem::path mesh_of_case(const std::filesystem::path& case_file);
 

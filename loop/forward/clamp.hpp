@@ -43,6 +43,7 @@ struct ClampSite {
   Vec3 point_mm{0, 0, 0};
   BothWays force;                            ///< N, at the start parameters: mean of ln(F + ε) over its meshes
   int index = 0;                             ///< among the sites
+  std::array<std::vector<double>, 2> scatter;  ///< what meshes differ by between the places of the curve's own error, closing and opening, rms over the largest force
   Change friction, angle;                    ///< over μ, and degrees between the jaws
   std::vector<Slice> slices;
   std::vector<std::pair<int, Change>> laws;  ///< over ln of a law's further parameters, by index
@@ -60,7 +61,6 @@ struct ClampCurves {
   Eigen::MatrixXd forms;                     ///< of ln(F + ε) at the places of each site, per deviation of each of the curves' own errors: what meshes differ by
   double form_sd() const { return forms.rows() > 0 ? forms.rowwise().norm().mean() : 0; }
   double correlation = 0;                    ///< of the scatter, from one block of samples to the next
-  double scatter = 0;                        ///< what meshes differ by between these places, over the largest force
   std::vector<double> parameters;            ///< of the law, in the solves
   std::vector<ClampSite> sites;
   int solves = 0;                            ///< closings that these curves come from, kept ones too

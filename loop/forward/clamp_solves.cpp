@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include <palpate/card.hpp>
@@ -116,32 +117,38 @@ std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
   return jobs;
 }
 
-/// Means of squares, and of products of what lies a block of samples apart.
+/// Sums of products of what lies a block of samples apart, and of squares.
 struct Rough {
   double squares = 0, neighbours = 0;
 };
 constexpr std::size_t block_steps = 4;  ///< of the grid
 
-/// Squares of what the meshes' forces differ by, less the straight lines between the places of the curve's own error, over the largest force: mean over
-/// closures, ways, meshes.
-Rough rough_part(const Bench& b, const std::vector<BothWays>& all, const BothWays& mean, double small) {
-  Rough rough;
-  double count = 0;
+/// What the meshes' forces differ by, less the straight lines between the places of the curve's own error, over the largest force: rms over meshes and closures between two places, half of its square
+/// that of the whole way, for three meshes tell little.
+std::vector<double> scatter_of(const Bench& b, const std::vector<BothWays>& all, const BothWays& mean, EvenCurve BothWays::*way, double small, Rough& rough) {
   const double largest = *std::max_element(mean.closing.values.begin(), mean.closing.values.end());
-  for (const auto way : {&BothWays::closing, &BothWays::opening})
+  std::vector<double> squares, counts;
+  for (std::size_t p = 1; p < form_places.size(); ++p) {
+    const double low = form_places[p - 1] * b.deepest_mm, high = form_places[p] * b.deepest_mm;
+    squares.push_back(0);
+    counts.push_back(0);
     for (std::size_t i = 0; i < std::size(finer); ++i) {
       const auto apart = [&](double u) { return std::log(((all[i].*way).at(u) + small) / ((mean.*way).at(u) + small)); };
+      const double first = apart(low), last = apart(high);
       std::vector<double> left;
-      for (std::size_t p = 1; p < form_places.size(); ++p) {
-        const double low = form_places[p - 1] * b.deepest_mm, high = form_places[p] * b.deepest_mm, first = apart(low), last = apart(high);
-        for (double u = low; u < high; u += grid_mm) left.push_back((mean.*way).at(u) / largest * (apart(u) - first - (last - first) * (u - low) / (high - low)));
-      }
-      for (std::size_t k = 0; k < left.size(); ++k, ++count) {
-        rough.squares += left[k] * left[k];
+      for (double u = low; u < high; u += grid_mm) left.push_back((mean.*way).at(u) / largest * (apart(u) - first - (last - first) * (u - low) / (high - low)));
+      for (std::size_t k = 0; k < left.size(); ++k) {
+        squares.back() += left[k] * left[k];
         if (k >= block_steps) rough.neighbours += left[k] * left[k - block_steps];
       }
+      counts.back() += static_cast<double>(left.size());
     }
-  return {rough.squares / count, rough.neighbours / count};
+  }
+  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0), count = std::accumulate(counts.begin(), counts.end(), 0.0);
+  rough.squares += sum;
+  std::vector<double> scatter;
+  for (std::size_t p = 0; p < squares.size(); ++p) scatter.push_back(std::sqrt(0.5 * squares[p] / std::max(counts[p], 1.0) + 0.5 * sum / count));
+  return scatter;
 }
 
 ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jobs, const std::vector<fs::path>& results, double small, Eigen::Ref<Eigen::MatrixXd> apart, Rough& rough) {
@@ -155,8 +162,7 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
     const BothWays& without = jobs[i].edge_mm == jobs[0].edge_mm ? all[0] : coarse;
     return BothWays{log_change(all[i].closing, without.closing, small), log_change(all[i].opening, without.opening, small)};
   };
-  const Rough own = rough_part(b, all, site.force, small);
-  rough = {rough.squares + own.squares, rough.neighbours + own.neighbours};
+  site.scatter = {scatter_of(b, all, site.force, &BothWays::closing, small, rough), scatter_of(b, all, site.force, &BothWays::opening, small, rough)};
   Eigen::Index row = 0;
   for (const auto way : {&BothWays::closing, &BothWays::opening})
     for (double place : form_places) {
@@ -236,8 +242,6 @@ ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, cons
     at += static_cast<long>(jobs.size());
   }
   curves.forms = own_errors(apart);
-  const double sites = static_cast<double>(places.size());
-  curves.scatter = std::sqrt(rough.squares / sites * (static_cast<double>(set.runs.size()) / sites));  // it is the same in all runs of a site
   curves.correlation = std::clamp(rough.neighbours / std::max(rough.squares, 1e-300), 0.0, 0.9);
   return curves;
 }

@@ -32,18 +32,37 @@ double one_minus_compliance(double alpha, bool bonded, double kappa) {
   return 1 - (kappa * (1 - e * e) - 4 * alpha * e) / (kappa * (1 + e * e) + e * (1 + kappa * kappa + 4 * alpha * alpha));
 }
 
+/// The same on a bed of springs of stiffness 1/softness, for ν = ½; with μ = 1.
+double one_minus_compliance_on_bed(double alpha, double softness) {
+  const double a = std::max(alpha, 1e-3);
+  const auto derivatives = [&](double z) {  // of the four parts of W, the k-th in row k
+    const double y = 1 - z, f = std::exp(-a * y), g = std::exp(-a * z);
+    Eigen::Matrix4d d;
+    d << f, y * f, g, z * g,                                                              //
+        a * f, (a * y - 1) * f, -a * g, (1 - a * z) * g,                                  //
+        a * a * f, (a * a * y - 2 * a) * f, a * a * g, (a * a * z - 2 * a) * g,           //
+        a * a * a * f, (a * a * a * y - 3 * a * a) * f, -a * a * a * g, (3 * a * a - a * a * a * z) * g;
+    return d;
+  };
+  const auto normal = [&](const Eigen::Matrix4d& d) { return Eigen::RowVector4d(3 * d.row(1) - d.row(3) / (a * a)); };  // −p + 2 W′
+  const auto shear = [&](const Eigen::Matrix4d& d) { return Eigen::RowVector4d(-d.row(2) / a - a * d.row(0)); };
+  const Eigen::Matrix4d top = derivatives(1), base = derivatives(0);
+  Eigen::Matrix4d A;
+  A << normal(top), shear(top), softness * normal(base) - base.row(0), softness * shear(base) + base.row(1) / a;
+  return 1 + 2 * a * (top.row(0) * A.partialPivLu().solve(Eigen::Vector4d(-1, 0, 0, 0)))(0);
+}
+
 /// K(x) tabulated on [0, 2 end] and read by cubic interpolation.
 class Kernel {
  public:
-  Kernel(bool bonded, double nu, double end) : step_(2 * end / (count - 3)) {
+  Kernel(const std::function<double(double)>& one_minus_compliance, double end) : step_(2 * end / (count - 3)) {
     static const GaussRule rule(400);
     constexpr double last = 40;  // 1 − M falls as α² e^(−2α)
+    std::vector<double> part;
+    for (int i = 0; i < rule.x.size(); ++i) part.push_back(last * rule.w(i) * one_minus_compliance(last * rule.x(i)));
     for (int j = 0; j < count; ++j) {
       double sum = 0;
-      for (int i = 0; i < rule.x.size(); ++i) {
-        const double alpha = last * rule.x(i);
-        sum += last * rule.w(i) * one_minus_compliance(alpha, bonded, 3 - 4 * nu) * std::cos(alpha * j * step_);
-      }
+      for (int i = 0; i < rule.x.size(); ++i) sum += part[i] * std::cos(last * rule.x(i) * j * step_);
       table_.push_back(sum);
     }
   }
@@ -78,10 +97,10 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
 
 }  // namespace
 
-LayerFactors::LayerFactors(bool bonded, double nu) : a_{0}, chi_{0}, ball_{1}, punch_{1} {
+LayerFactors::LayerFactors(const std::function<double(double)>& one_minus_compliance) : a_{0}, chi_{0}, ball_{1}, punch_{1}, area_{1} {
   constexpr double end = 3;
   constexpr int radii = 120;
-  const Kernel kernel(bonded, nu, end);
+  const Kernel kernel(one_minus_compliance, end);
   static const GaussRule rule(24);
   const int n = rule.x.size();
   for (int k = 1; k <= radii; ++k) {
@@ -99,12 +118,14 @@ LayerFactors::LayerFactors(bool bonded, double nu) : a_{0}, chi_{0}, ball_{1}, p
     a_.push_back(a);
     punch_.push_back(integral(0) / a);
     chi_.push_back(std::sqrt(delta));
+    area_.push_back(a * a / delta);
     ball_.push_back((delta * integral(0) - integral(1)) / (2.0 / 3 * std::pow(delta, 1.5)));
   }
 }
 
 double LayerFactors::ball(double chi) const { return interpolated(chi_, ball_, chi); }
 double LayerFactors::punch(double a_over_h) const { return interpolated(a_, punch_, a_over_h); }
+double LayerFactors::area(double chi) const { return interpolated(chi_, area_, chi); }
 
 namespace {
 
@@ -114,19 +135,45 @@ const LayerFactors& kept_factors(bool bonded, int index) {
   static std::array<std::once_flag, 2 * tabulated> once;
   static std::array<std::unique_ptr<const LayerFactors>, 2 * tabulated> kept;
   const int at = 2 * index + bonded;
-  std::call_once(once[at], [&] { kept[at] = std::make_unique<const LayerFactors>(bonded, 0.5 - 0.02 * index); });
+  std::call_once(once[at], [&] {
+    const double kappa = 3 - 4 * (0.5 - 0.02 * index);
+    kept[at] = std::make_unique<const LayerFactors>([=](double alpha) { return one_minus_compliance(alpha, bonded, kappa); });
+  });
   return *kept[at];
+}
+
+constexpr int beds = 13;  ///< of softness (i/12)²
+
+const LayerFactors& kept_bed(int index) {
+  static std::array<std::once_flag, beds> once;
+  static std::array<std::unique_ptr<const LayerFactors>, beds> kept;
+  std::call_once(once[index], [&] {
+    const double root = index / (beds - 1.0);
+    kept[index] = std::make_unique<const LayerFactors>([=](double alpha) { return one_minus_compliance_on_bed(alpha, root * root); });
+  });
+  return *kept[index];
+}
+
+double between_tables(double (LayerFactors::*factor)(double) const, bool bonded, double nu, double at) {
+  const double place = bonded ? std::clamp((0.5 - nu) / 0.02, 0.0, 15.0) : 0;  // a sliding layer's M knows no ν
+  const int index = static_cast<int>(place);
+  const auto of = [&](int i) { return (kept_factors(bonded, i).*factor)(at); };
+  const double t = place - index;
+  return t > 0 ? (1 - t) * of(index) + t * of(index + 1) : of(index);
 }
 
 }  // namespace
 
-double layer_factor(bool flat, bool bonded, double nu, double at) {
-  const double place = bonded ? std::clamp((0.5 - nu) / 0.02, 0.0, 15.0) : 0;  // a sliding layer's M knows no ν
-  const int index = static_cast<int>(place);
-  const auto factor = [&](int i) { return flat ? kept_factors(bonded, i).punch(at) : kept_factors(bonded, i).ball(at); };
-  const double t = place - index;
-  return t > 0 ? (1 - t) * factor(index) + t * factor(index + 1) : factor(index);
+double layer_factor(bool flat, bool bonded, double nu, double at) { return between_tables(flat ? &LayerFactors::punch : &LayerFactors::ball, bonded, nu, at); }
+double bed_factor(bool flat, double softness, double at) {
+  std::vector<double> roots, factors;
+  for (int i = 0; i < beds; ++i) {
+    roots.push_back(i / (beds - 1.0));
+    factors.push_back(flat ? kept_bed(i).punch(at) : kept_bed(i).ball(at));
+  }
+  return interpolated(roots, factors, std::sqrt(std::max(softness, 0.0))) / factors.front();
 }
+double layer_area(bool bonded, double nu, double chi) { return between_tables(&LayerFactors::area, bonded, nu, chi); }
 
 double dimitriadis_factor(bool bonded, double nu, double chi) {
   const double alpha = bonded ? -(1.2876 - 1.4678 * nu + 1.3442 * nu * nu) / (1 - nu) : -0.347 * (3 - 2 * nu) / (1 - nu);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <palpate/errors.hpp>
+#include <loop/forward/adhesion.hpp>
 #include <loop/forward/departures.hpp>
 #include <loop/forward/motion_effects.hpp>
 #include <loop/forward/row.hpp>
@@ -211,6 +212,23 @@ double Forward::elastic(const Run& run, const Site& site, const Tissue& tissue, 
   return std::exp(log_ratio) * elastic_force(site, base, depth) * (c->factor[0] + x * (c->factor[1] + x * c->factor[2]));
 }
 
+Eigen::VectorXd Forward::curve_scatter(std::size_t r) const {
+  Eigen::VectorXd scatter = Eigen::VectorXd::Zero(blocks(r));
+  const Run& run = set_->runs[r];
+  if (!clamp_ || run.test != Test::indentation || run.is_air() || run.is_block()) return scatter;
+  const auto& of_place = clamp_->site(run.point_mm).scatter;
+  const double largest = std::abs(*std::max_element(run.F.begin(), run.F.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const auto here = std::count_if(set_->runs.begin(), set_->runs.end(), [&](const Run& other) { return norm(other.point_mm - run.point_mm) < 1e-6; });
+  for (int b = 0; b < scatter.size(); ++b) {
+    const int middle = (begin_[r][b] + begin_[r][b + 1]) / 2;
+    if (run.phase[middle] == "hold" || run.phase[middle] == "rest") continue;  // at a place of the curve's own error, or out
+    const double share = run.u[middle] / clamp_->deepest_mm;
+    const auto next = std::upper_bound(form_places.begin() + 1, form_places.end() - 1, share) - form_places.begin();
+    scatter(b) = largest * std::sqrt(static_cast<double>(here)) * of_place[run.phase[middle] == "unload"][next - 1];
+  }
+  return scatter;
+}
+
 /// What gives way in series is found by going over it four times: a clamp's rig gives way by far less than the wall.
 Path Forward::clamped_force(const Run& run, const Model& model, const Tissue& tissue, Path& depth, double compliance) const {
   if (!clamp_) throw Failure(ExitCode::refused, "a clamp has no closed form: its curves are solved", set_->file.string(), "palpate-loop run, with --forward auto");
@@ -247,7 +265,7 @@ Path Forward::tissue_force(const Run& run, const Model& model, const Tissue& tis
   if (solved && model.mesh_form != 0)
     for (int i = 0; i <= springs; ++i) forces[i] *= std::exp(model.mesh_form * mesh_change(*solved, depths[i]));
   auto list = springs_of(depths, forces);
-  add_adhesion(list, tissue.adhesion_J_per_m2, 4 * tissue.law->shear_modulus(tissue.parameters));
+  if (tissue.adhesion_J_per_m2 > 0) add_adhesion(list, depths, place, tissue);
   Row row(std::move(list), tissue, scale_, true, solved ? solved->memory_mm : 0);
   const double in_series = compliance + tissue.support_mm_per_N;
   Path force = row_forces(run, row, depth, in_series);

@@ -63,6 +63,8 @@ class Forward {
   void use(Strains strains) { strains_ = strains; }
   /// Clamps have their curves from solves alone.
   void use(std::shared_ptr<const ClampCurves> curves) { clamp_ = std::move(curves); }
+  /// What a clamp's solved curve is off by within each block, as meshes differ there, for all runs at that place together, N; zero for anything else.
+  Eigen::VectorXd curve_scatter(std::size_t run) const;
   int clamp_solves() const { return clamp_ ? clamp_->solves : 0; }
   /// From now on the closed form of runs with this tool and point is multiplied by the curve's factor at x = depth/deepest (beyond it as at it), and the changes by departures that
   /// were solved are multiplied by theirs: what solves of that site say about the closed form.

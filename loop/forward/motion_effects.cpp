@@ -31,7 +31,7 @@ void add_rate(const Run& run, const Tissue& tissue, const Path& depth, double sc
 }
 
 void add_friction(const Site& site, const Tissue& tissue, const Path& depth, Path& force) {
-  if (tissue.friction == 0 || site.tool.kind.starts_with("flat")) return;
+  if (tissue.friction == 0 || site.tool.is_flat()) return;
   const double mu = tissue.friction, R = site.tool.radius_mm, turn = tissue.friction_slips ? 0.05 : std::max(29 * mu * mu, 1e-3);
   double s = 0, before = 0;
   for (std::size_t i = 0; i < force.size(); ++i) {

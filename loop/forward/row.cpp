@@ -18,16 +18,6 @@ std::vector<Spring> springs_of(std::span<const double> depths, std::span<const d
   return springs;
 }
 
-void add_adhesion(std::vector<Spring>& springs, double work_J_per_m2, double reduced_modulus_MPa) {
-  if (!(work_J_per_m2 > 0)) return;
-  const double work = 1e-3 * work_J_per_m2;  // N/mm
-  double slope = 0;
-  for (Spring& spring : springs) {
-    slope += spring.stiffness;
-    spring.reach = std::sqrt(2 * M_PI * std::max(slope, 0.0) / (2 * reduced_modulus_MPa) * work / reduced_modulus_MPa);
-  }
-}
-
 namespace {
 constexpr std::size_t most_terms = 8;
 }
@@ -99,10 +89,12 @@ double Row::step(std::size_t i, Memory& m, double* maxwell, double depth) const 
     maxwell[k] = kept_[k] * maxwell[k] + gained_[k] * (m.elongation - before.elongation);
   }
   const double force = carried(m, maxwell);
-  const double bears = spring.reach > 0 && (before.touching || !tissue_.adhesion_on_retract_only) ? -spring.reach : 0;
-  if (!lets_go_ || force > bears) {
+  const bool sticks = spring.reach > 0 && (before.touching || !tissue_.adhesion_on_retract_only);
+  const double last = sticks ? -spring.reach - 0.5 * spring.fade : 0;
+  if (!lets_go_ || force > last) {
     m.touching = true;
-    return spring.stiffness * force / larger;
+    const double held = sticks && force < last + spring.fade ? std::min((force - last) / spring.fade, 1.0) : 1;
+    return spring.stiffness * held * force / larger;
   }
   m = before;  // free: the elongation at which it carries nothing, instant e + Σ g (kept q + gained (e − e₀)) = set
   double constant = -before.set, slope = instant_;

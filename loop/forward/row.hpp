@@ -17,14 +17,12 @@ namespace palpate::loop {
 struct Spring {
   double start = 0;      ///< δ_i
   double stiffness = 1;  ///< w_i
-  double reach = 0;      ///< elongation at which it lets go (adhesion)
+  double reach = 0;      ///< elongation at which half of it has let go (adhesion)
+  double fade = 0;       ///< further elongation between the first and the last of it: a ring is left by the edge little by little
 };
 
 /// Springs that follow the convex curve F(δ), given at depths[0] = 0 < depths[1] < …
 std::vector<Spring> springs_of(std::span<const double> depths, std::span<const double> forces);
-
-/// Sets what each spring bears before it lets go: √(2π a w/E*), a = F′/(2E*) (Heß 2011; exact for JKR).
-void add_adhesion(std::vector<Spring>& springs, double work_J_per_m2, double reduced_modulus_MPa);
 
 class Row {
  public:

@@ -37,7 +37,7 @@ SolvedCurve solved_shape(const SiteJob& job, const Site& site, const Tissue& sta
   };
   SolvedCurve own = on("own", 0);
   const SolvedCurve layer = on("layer", thresholds::wide_layer * specimen.size_mm[2]);
-  const bool flat = site.tool.kind.starts_with("flat");
+  const bool flat = site.tool.is_flat();
   const double first = own.depth_mm.front();
   for (std::size_t i = 0; i < own.depth_mm.size(); ++i) {
     const double at = flat ? first : own.depth_mm[i];

@@ -36,6 +36,7 @@ struct Tissue {
   std::vector<Zone> zones;       ///< of a clamped tube
   double jaw_angle_deg = 0;      ///< between the faces of a clamp's jaws
   double support_mm_per_N = 0;   ///< compliance of what carries the specimen
+  double bed_mm_per_MPa = 0;     ///< softness of a bed of springs under a wide layer
   // Memory; lengths and rates are relative to the deepest point of the set.
   std::vector<PronyTerm> prony;
   double rate = 0, rate_reference_per_s = 0.01;

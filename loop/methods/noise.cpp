@@ -34,7 +34,7 @@ void correlate(double rho, Eigen::Ref<MatrixXd> x) {
 
 Whitener::Whitener(const NoiseShape& shape, const Noise& noise) : rho_(noise.correlation) {
   const double scatter = noise.scatter * shape.largest_N;
-  sd_ = (noise.sensor_sd * noise.sensor_sd * shape.samples.cwiseInverse().array() + scatter * scatter + shape.corner.array().square()).sqrt();
+  sd_ = (noise.sensor_sd * noise.sensor_sd * shape.samples.cwiseInverse().array() + scatter * scatter + shape.corner.array().square() + shape.curve.array().square()).sqrt();
   MatrixXd Z = shape.Q;
   for (int j = 0; j < Z.cols(); ++j) Z.col(j) *= noise.sd[j] * shape.scale(j);
   variance_ = (sd_.squaredNorm() + Z.squaredNorm()) / sd_.size();
@@ -111,6 +111,7 @@ NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& 
   const int n = static_cast<int>(F.size());
   shape.samples = forward.samples_per_block(run);
   shape.corner = corners(forward, run);
+  shape.curve = forward.curve_scatter(run);
   shape.largest_N = std::max(F.cwiseAbs().maxCoeff(), 1e-12);
   MatrixXd B(n, noise_directions);
   B.col(0) = predicted + smoothed(forward, run, F - predicted);

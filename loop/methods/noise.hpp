@@ -19,6 +19,7 @@ struct NoiseShape {
   Eigen::VectorXd scale;   ///< of each direction: N per unit of its relative standard deviation
   Eigen::VectorXd samples; ///< in each block
   Eigen::VectorXd corner;  ///< what a block's mean may be off where the force turns between two samples, N
+  Eigen::VectorXd curve;   ///< fast scatter that a solved curve has of its own, N
   double largest_N = 1;
 };
 

@@ -10,18 +10,20 @@
 
 namespace palpate::loop {
 
-/// Calls work(i) once for each i < count. The first exception is thrown again here.
+/// Calls work(i) once for each i < count. After an exception no other is begun, and the first is thrown again here.
 template <class Work>
 void for_each_index(int count, int threads, const Work& work) {
   std::atomic<int> next = 0;
+  std::atomic<bool> failed = false;
   std::exception_ptr failure;
   std::mutex mutex;
   const auto take = [&] {
-    for (int i = next++; i < count; i = next++) try {
+    for (int i = next++; i < count && !failed; i = next++) try {
         work(i);
       } catch (...) {
         const std::lock_guard<std::mutex> lock(mutex);
         if (!failure) failure = std::current_exception();
+        failed = true;
       }
   };
   std::vector<std::thread> helpers;

@@ -216,7 +216,6 @@ void noise_around(Session& s, const Model& model, double sensor_sd) {
     begin += s.forward->blocks(run);
   }
   Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
-  noise.scatter = std::hypot(noise.scatter, s.set->clamp_scatter);
   noise.correlation = std::max(noise.correlation, s.set->clamp_correlation);
   set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
 }

@@ -65,7 +65,6 @@ std::shared_ptr<const loop::ClampCurves> clamp_of(Command& c, loop::Set& set, co
   auto curves = std::make_shared<loop::ClampCurves>(loop::clamp_curves(set, solves, c.threads(), [&](const std::string& remark) { c.say(remark); }));
   set.clamp_forms = static_cast<int>(curves->forms.cols());
   set.clamp_form_sd = curves->form_sd();
-  set.clamp_scatter = curves->scatter;
   set.clamp_correlation = curves->correlation;
   return curves;
 }
@@ -245,8 +244,9 @@ std::vector<loop::SiteCurve> curves_of(Command& c, const loop::Set& set) {
 /// What was found, held against the solver; the folder it worked in is removed.
 loop::Confirmation confirmed(Command& c, const loop::Searched& s) {
   const fs::path scratch = c.output("result") / "confirmation", solver = c.text("forward") == "closed" ? "" : loop::beside("palpate-solve");
+  const fs::path kept = c.text("solves").empty() ? scratch : fs::absolute(c.text("solves")) / "confirmation";
   const bool solvable = loop::can_be_solved(*s.session.set);
-  const loop::Confirmation confirmation = loop::confirmed(s.session, s.finding.final.model, solvable ? solver : "", scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
+  const loop::Confirmation confirmation = loop::confirmed(s.session, s.finding.final.model, solvable ? solver : "", kept, scratch, c.threads(), [&](const std::string& remark) { c.say(remark); });
   fs::remove_all(scratch);
   return confirmation;
 }

@@ -14,6 +14,7 @@ namespace {
 
 struct Parts {
   std::ostringstream law, bulk, effects, comments;
+  bool on_bed = false;  ///< the base is held by springs
 };
 
 /// A law that a stiffening turns the null into, where the solver has it.
@@ -49,6 +50,11 @@ bool write_effect(const Session& s, const Model& model, const Active& a, double 
     parts.effects << "[[effect]]\nname = \"thickness\"\nexcess = " << e << "\naxis_x = 0\naxis_y = 0\naxis_z = 1\n";
   } else if (name == "thickness") {
     parts.effects << thickness_words(s.set->specimen.case_file, e);
+  } else if (name == "support" && a.shape[0] > 0 && e > 0) {
+    Tissue bed;
+    a.effect->tissue(e, a.shape, bed);
+    parts.effects << "[[effect]]\nname = \"support\"\nlabel = \"base\"\nstiffness = " << 1 / bed.bed_mm_per_MPa << "\ntangential = 1\nfriction = 1e6\n";
+    parts.on_bed = true;
   } else if (name == "prestress" && a.shape[0] > 0) {
     parts.effects << "[[effect]]\nname = \"prestress\"\np_kPa = " << 1e3 * e << "\n";
   } else if (name == "inclusion" && !s.set->specimen.case_file.empty()) {
@@ -99,7 +105,7 @@ std::string case_text(const Session& s, const Model& model, const Run& run, cons
   out.precision(8);
   out << parts.comments.str();
   if (specimen.case_file.empty())
-    out << "schema = \"palpate-case/1\"\nmesh = \"mesh.vtu\"\n[base]\nlabel = \"base\"\n";
+    out << "schema = \"palpate-case/1\"\nmesh = \"mesh.vtu\"\n" << (parts.on_bed ? "" : "[base]\nlabel = \"base\"\n");
   else
     out << case_without(read_text(specimen.case_file), {"material", "tool", "steps"});
   out << parts.law.str() << parts.bulk.str() << parts.effects.str() << "[tool]\nkind = \"" << tool.kind << "\"\nradius_mm = " << tool.radius_mm << "\naim_mm = ["

@@ -11,11 +11,10 @@
 #include <palpate/mesh_files.hpp>
 #include <palpate/text_file.hpp>
 #include <loop/forward/case_curve.hpp>
-#include <loop/forward/process.hpp>
 #include <loop/forward/shape_mesh.hpp>
+#include <loop/methods/parallel.hpp>
 #include <loop/methods/thresholds.hpp>
 #include <loop/report/case_file.hpp>
-#include <loop/set/csv.hpp>
 #include <loop/set/thinned.hpp>
 
 namespace palpate::loop {
@@ -82,22 +81,11 @@ std::string motion_text(const Run& run, const Path& depth, const std::vector<int
   return path.str() + "]\n" + times.str() + "]\nmost_cuts = 8\nframes = 1\n";
 }
 
-/// Force at each corner after the first.
-std::vector<double> solved(const std::string& text, const fs::path& mesh, const fs::path& folder, const fs::path& solver, int threads, const std::vector<double>& times) {
-  fs::create_directories(folder);
-  write_text(folder / "case.toml", text);
-  const int code = run_logged(solver, {(folder / "case.toml").string(), (folder / "result").string(), "--mesh", mesh.string(), "--quiet", "--threads=" + std::to_string(threads)}, folder / "log.txt");
-  if (code != 0) throw Failure(ExitCode::not_converged, read_text(folder / "log.txt"));
-  const CsvTable history = read_csv(folder / "result" / "history.csv");
-  const auto t = history.numbers("t", "s"), F = history.numbers("F", "N");
-  std::vector<double> force;
-  for (double time : times) {
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < t.size(); ++i)
-      if (std::abs(t[i] - time) < std::abs(t[nearest] - time)) nearest = i;
-    force.push_back(F[nearest]);
-  }
-  return force;
+std::string press_text(double deepest) {
+  std::ostringstream text;
+  text.precision(9);
+  text << "depth_mm = " << deepest << "\n[steps]\ncount = 14\nmost_cuts = 8\nframes = 1\n";
+  return text.str();
 }
 
 fs::path mesh_of(const Session& s, const Run& run, const fs::path& folder, Confirmation& c) {
@@ -108,6 +96,29 @@ fs::path mesh_of(const Session& s, const Run& run, const fs::path& folder, Confi
   c.nodes = static_cast<int>(mesh.points.size());
   write_mesh(folder / "mesh.vtu", mesh);
   return folder / "mesh.vtu";
+}
+
+/// Force at each corner after the first.
+std::vector<double> solved(const Session& s, const Model& model, const Run& run, const Path& depth, const std::vector<int>& at, const fs::path& mesh, const fs::path& solver, const fs::path& kept,
+                           const fs::path& plain) {
+  write_text(plain, case_text(s, model, run, ""));
+  std::vector<double> force;
+  if (!remembers(plain)) {
+    double deepest = 0;
+    for (int i : at) deepest = std::max(deepest, depth[i]);
+    const SolvedCurve curve = curve_of(solved_case(case_text(s, model, run, press_text(deepest)), mesh, solver, kept));
+    for (std::size_t i = 1; i < at.size(); ++i) force.push_back(depth[at[i]] > 0 ? curve.at(depth[at[i]]) : 0);
+    return force;
+  }
+  const SolvedMotion motion = solved_case(case_text(s, model, run, motion_text(run, depth, at)), mesh, solver, kept);
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    const double time = run.t[at[i]] - run.t[at[0]];
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < motion.t_s.size(); ++k)
+      if (std::abs(motion.t_s[k] - time) < std::abs(motion.t_s[nearest] - time)) nearest = k;
+    force.push_back(motion.force_N[nearest]);
+  }
+  return force;
 }
 
 /// The solver's changes, freed from the mesh's own error by the ratio of both null forces, against the shortcut's.
@@ -137,7 +148,7 @@ bool Confirmation::confirmed() const {
   return effects.empty() ? !observed.empty() : apart <= thresholds::confirm_share && std::abs(ratio - 1) <= thresholds::confirm_share;
 }
 
-Confirmation confirmed(const Session& s, const Model& model, const fs::path& solver, const fs::path& scratch, int threads,
+Confirmation confirmed(const Session& s, const Model& model, const fs::path& solver, const fs::path& kept, const fs::path& scratch, int threads,
                        const std::function<void(const std::string&)>& remark) {
   Confirmation c;
   for (const Active& a : model.active) (observes(*a.effect) ? c.observed : in_case(s, model, a) ? c.effects : c.left_out).push_back(a.effect->entry.name);
@@ -162,20 +173,19 @@ Confirmation confirmed(const Session& s, const Model& model, const fs::path& sol
   const Path depth = s.forward->pressed(r, model).depth_mm;
   const auto at = corners(run);
   const Path ours = s.forward->pressed_along(r, model, depth), ours_null = s.forward->pressed_along(r, without, depth);
-  std::vector<double> times, shortcut, shortcut_null;
+  std::vector<double> shortcut, shortcut_null;
   for (std::size_t i = 1; i < at.size(); ++i) {
-    times.push_back(run.t[at[i]] - run.t[at[0]]);
     shortcut.push_back(ours[at[i]]);
     shortcut_null.push_back(ours_null[at[i]]);
   }
   try {
     fs::create_directories(scratch);
     const fs::path mesh = mesh_of(s, run, scratch, c);
-    const std::string motion = motion_text(run, depth, at);
-    const auto null = solved(case_text(s, without, run, motion), mesh, scratch / "without", solver, threads, times);
-    const auto with = solved(case_text(s, model, run, motion), mesh, scratch / "with", solver, threads, times);
+    const Model* models[] = {&without, &model};
+    std::vector<double> forces[2];
+    for_each_index(2, threads, [&](int i) { forces[i] = solved(s, *models[i], run, depth, at, mesh, solver, kept, scratch / ("case" + std::to_string(i) + ".toml")); });
     c.solves = 2;
-    compare(with, null, shortcut, shortcut_null, c);
+    compare(forces[1], forces[0], shortcut, shortcut_null, c);
   } catch (const Failure& failure) {
     c.failure = failure.what();
   }

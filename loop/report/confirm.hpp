@@ -25,8 +25,8 @@ struct Confirmation {
 };
 
 /// The run is the one that the effects change most. On a simple shape's mesh of our own or on the case's; the mesh's own error cancels, as forces are compared
-/// with the same mesh without effect. Empty `solver`: nothing is solved.
-Confirmation confirmed(const Session& session, const Model& model, const std::filesystem::path& solver, const std::filesystem::path& scratch, int threads,
+/// with the same mesh without effect. A case that does not remember is solved going in only. Empty `solver`: nothing is solved. Solves are kept in `kept`, `scratch` is worked in.
+Confirmation confirmed(const Session& session, const Model& model, const std::filesystem::path& solver, const std::filesystem::path& kept, const std::filesystem::path& scratch, int threads,
                        const std::function<void(const std::string&)>& remark);
 
 /// Where what was found has the solver's course but not its size, in a case: the row takes the solver's size, and everything is fitted anew to the runs. The confirmation then tells

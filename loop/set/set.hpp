@@ -26,6 +26,7 @@ struct Tool {
   std::string kind;  ///< ball or flat_punch for the closed forms; any tool of palpate-solve for a case
   double radius_mm = 0;
   double width_mm = 40, length_mm = 10;  ///< of a clamp's jaws ("jaws"), across the tube and along it
+  bool is_flat() const { return kind.starts_with("flat"); }
 };
 
 struct Specimen {
@@ -87,8 +88,7 @@ struct Set {
   double mesh_sd = 0, mesh_apart = 0;               ///< what a case's two meshes differ by in shape, rms, relative, and of how much of that its curve is still off by
   int clamp_forms = 0;                ///< ways in which a clamp's solved curves are off, as its solves tell (loop/forward/clamp_errors.hpp)
   double clamp_form_sd = 0;           ///< by how much, relative, mean over their places
-  double clamp_correlation = 0;       ///< of this scatter, from one block to the next
-  double clamp_scatter = 0;           ///< the same between the places of these, of one sample, over the largest force
+  double clamp_correlation = 0;       ///< of what they are off by between these, from one block to the next
   std::map<std::string, Tool> tools;
   std::vector<Run> runs;
   std::vector<std::string> unknown_keys;  ///< "set.toml:12: key", read over

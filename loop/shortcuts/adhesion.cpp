@@ -1,4 +1,4 @@
-// Adhesion: springs at radius a hold on to an elongation √(2π a w/E*).
+// Adhesion: a spring holds on until its energy is the work of adhesion of the ring it stands for (loop/forward/adhesion.hpp).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/forward/register.hpp>
 
@@ -6,7 +6,7 @@ namespace palpate::shortcuts {
 
 Effect adhesion() {
   Effect effect;
-  effect.entry = {"traction", "adhesion", "the surface sticks: the tool is pulled back on retraction", "Johnson, Kendall and Roberts 1971; Heß 2011, ch. 3",
+  effect.entry = {"traction", "adhesion", "the surface sticks: the tool is pulled back on retraction", "Johnson, Kendall and Roberts 1971; Shull 2002",
                   {{"work", "J/m^2", {0, 10}, 0.1, "work of adhesion"},
                      {"always", "1", {0, 1}, 0, "0: on retraction only, 1: on approach too"}}};
   effect.needs_unload = true;

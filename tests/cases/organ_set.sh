@@ -24,6 +24,20 @@ cmp none.count drift.count || { echo "the second set was solved again" >&2; exit
 "$bin/palpate-mesh" result/surface.vtp search.vtu --edge 6 --focus 6.5,-12.1,0 --focus-edge 1.8 --focus-radius 3 --quiet
 sed 's#^case = .*#&\nsearch_mesh = "../../search.vtu"#' sets/none_0/set.toml >sets/none_0/searched.toml
 "$bin/palpate-loop" run sets/none_0/searched.toml searched --solves kept --quiet --null-sets 200 >/dev/null
+# a narrower organ in its place is refused, and says why
+mkdir narrow
+sed 's/^width_mm.*/width_mm = 20/' phantom.toml >narrow/phantom.toml
+sed 's/^focus_edge = .*/focus_edge = 1.8/' study.toml >narrow/study.toml
+"$bin/palpate" run narrow/study.toml --quiet
+sed 's#^case = .*#&\nsearch_mesh = "../../narrow/result/mesh.vtu"#' sets/none_0/set.toml >sets/none_0/narrow.toml
+code=0
+"$bin/palpate-loop" run sets/none_0/narrow.toml refused --solves kept --quiet --null-sets 200 >/dev/null 2>refused.txt || code=$?
+if [ $code != 6 ] || ! grep -q "on the search mesh the force is 0.3" refused.txt || ! grep -q "narrow/result/mesh.vtu" refused.txt || [ -e refused ]; then
+  echo "another organ as a search mesh: code $code" >&2
+  cat refused.txt >&2
+  exit 1
+fi
+
 python3 - <<'P'
 import json
 none, drift, searched = (json.load(open(f"{name}/report.json")) for name in ("none", "drift", "searched"))

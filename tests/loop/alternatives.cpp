@@ -25,14 +25,14 @@ using Names = std::vector<std::vector<std::string>>;
 /// The data do not exclude it: the finding with it is an alternative. Not what fits worse than another such one, what did not pass the threshold, or what was tried beside another finding.
 TEST(Alternatives, WhatOnlyRelevanceSpeaksAgainst) {
   Model truth = tissue_with("prony", 0.2, {3});
-  truth.active.push_back({named("support"), 0.2, {}});
+  truth.active.push_back({named("support"), 0.2, {0}});
   const Set set = measured(truth, quiet);
   Session session = prepared(set);
   Finding finding;
   finding.final = fitted(session.problem, tissue_with("prony", 0.2, {3}));
   finding.alternatives = {{"prony"}};
   finding.alternative_distance = {0};
-  const Tried right = beside(session, finding.final.model, "support", 0.2, {}), worse = beside(session, finding.final.model, "friction", 0.05, {0});
+  const Tried right = beside(session, finding.final.model, "support", 0.2, {0}), worse = beside(session, finding.final.model, "friction", 0.05, {0});
   ASSERT_GT(worse.fit.chi2, right.fit.chi2 + 40) << "the case tests nothing";
   const auto told = [&](std::vector<Tried> tried) {
     Finding f = finding;
@@ -44,7 +44,7 @@ TEST(Alternatives, WhatOnlyRelevanceSpeaksAgainst) {
   Tried proven = right, likely = right, elsewhere = right;
   proven.unproven = false;  // relevance had nothing to say: it was taken, or is none
   likely.p = 0.01;
-  elsewhere.fit = fitted(session.problem, tissue_with("support", 0.2, {}));
+  elsewhere.fit = fitted(session.problem, tissue_with("support", 0.2, {0}));
   for (const Tried& none : {proven, likely, elsewhere}) EXPECT_EQ(told({none}), (Names{{"prony"}}));
   EXPECT_EQ(told({likely, worse}), (Names{{"prony"}, {"prony", "friction"}}));  // the best of those that count
 }

@@ -118,3 +118,18 @@ TEST(Backbone, SmallStrainsAreHertzTimesTheLayer) {
   const double x = std::sqrt(10.0) / 5, exponent = 2.0 * (x * x * x - 15 * x * x) / (25 * x - 125);
   EXPECT_TRUE(std::abs(elastic_force(site, tissue, 2) / (hertz * std::exp(exponent)) - 1) <= 1e-5);
 }
+
+/// Force on a bed of springs, of stiffness 3 μ/s, over that on a rigid base, by GetFEM: bench/hidden/curves.csv, a layer 20 mm high (s = 1 and 4 mm; R = 5 mm at 0.46 and 2.3 mm, R = 2.5 mm at 1.5 mm).
+TEST(Layer, OnABedOfSprings) {
+  Tissue rigid, bed;
+  rigid.law = bed.law = &law_named("neo_hookean");
+  rigid.parameters = bed.parameters = {0.01};
+  for (const auto& [R, depth, softness, ratio] : std::initializer_list<std::array<double, 4>>{{5, 0.46, 1, 0.99502}, {5, 0.46, 4, 0.98227}, {5, 2.3, 1, 0.98876}, {5, 2.3, 4, 0.96060}, {2.5, 1.5, 4, 0.98062}}) {
+    bed.bed_mm_per_MPa = softness / (3 * 0.01);
+    const Site site{{"ball", R}, {0, 0, 0}, 20, true};
+    EXPECT_TRUE(std::abs(elastic_force(site, bed, depth) / elastic_force(site, rigid, depth) - ratio) <= 2e-3) << R << " " << depth << " " << softness;
+  }
+  EXPECT_TRUE(std::abs(bed_factor(true, 1e-9, 0.5) - 1) <= 1e-6);  // hard springs are a rigid base
+  // Springs as soft as the layer: softer than a rigid base on which it slides.
+  EXPECT_LT(bed_factor(true, 1, 1), layer_factor(true, false, 0.5, 1) / layer_factor(true, true, 0.5, 1));
+}

@@ -44,7 +44,7 @@ TEST(Misfit, AFormMayBeOffByItsAccuracy) {
 /// Two effects may interact as much as the product of what each changes, and one alone has nothing to interact with.
 TEST(Misfit, InterplayIsTheProductOfTwoChanges) {
   Model model = tissue_with("prony", 0.1, {5});
-  model.active.push_back({named("support"), 0.2, {}});
+  model.active.push_back({named("support"), 0.2, {0}});
   const Set set = measured(model, quiet);
   const Session session = prepared(set);
   const Eigen::MatrixXd both = form_errors(session, model, 2), first = form_errors(session, model, 1);
