@@ -26,14 +26,8 @@ def contact_radius(np, model, mesh, estimate):
 
 def radii(gf, np, radius, fine):
     model, _, mesh, _ = curves.layer_model(gf, np, radius, "none", 0, fine)
-    deepest = 4.6 if radius == 5 else 3.0
     rows = []
-    for share in (0.02, 0.05, 0.1, 0.17, 0.25, 0.33, 0.42, 0.5, 0.58, 0.67, 0.75, 0.83, 0.92, 1.0):
-        model.set_variable("depth", [share * deepest])
-        _, converged = model.solve("max_res", 1e-9, "max_iter", 60, "lsolver", "mumps", "lsearch", "simplest")
-        if not converged:
-            raise SystemExit(f"ball of {radius} mm: no equilibrium at {share * deepest} mm")
-        depth = round(share * deepest, 6)
+    for depth in curves.pressed(model, radius, curves.HEIGHT):
         rows.append([radius, depth, round(contact_radius(np, model, mesh, 0.95 * (radius * depth) ** 0.5), 5)])
     return rows
 

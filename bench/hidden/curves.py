@@ -81,17 +81,23 @@ def layer_model(gf, np, radius, effect, amplitude, cells_per_radius=10):
     return model, inside, mesh, u
 
 
-def curve(gf, np, radius, effect, amplitude):
-    model, inside, _, _ = layer_model(gf, np, radius, effect, amplitude)
-    deepest = min(4.6 if radius == 5 else 3.0, 0.3 * (amplitude if effect == "height" else HEIGHT))
-    rows = []
+def pressed(model, radius, height):
+    """The model at one depth after the other, mm."""
+    deepest = min(4.6 if radius == 5 else 3.0, 0.3 * height)
     for share in (0.02, 0.05, 0.1, 0.17, 0.25, 0.33, 0.42, 0.5, 0.58, 0.67, 0.75, 0.83, 0.92, 1.0):
         model.set_variable("depth", [share * deepest])
         _, converged = model.solve("max_res", 1e-9, "max_iter", 60, "lsolver", "mumps", "lsearch", "simplest")
         if not converged:
-            raise SystemExit(f"{effect} {amplitude}, ball of {radius} mm: no equilibrium at {share * deepest} mm")
+            raise SystemExit(f"ball of {radius} mm: no equilibrium at {share * deepest} mm")
+        yield round(share * deepest, 6)
+
+
+def curve(gf, np, radius, effect, amplitude):
+    model, inside, _, _ = layer_model(gf, np, radius, effect, amplitude)
+    rows = []
+    for depth in pressed(model, radius, amplitude if effect == "height" else HEIGHT):
         force = -gf.asm_generic(inside, 0, "w*contact*(Normalized(apart).[0;1])", 2, model)
-        rows.append([effect, amplitude, radius, round(share * deepest, 6), f"{force:.7g}"])
+        rows.append([effect, amplitude, radius, depth, f"{force:.7g}"])
     return rows
 
 

@@ -116,6 +116,11 @@ double Change::at(double e, double u, double s) const {
   return A * e * (e - b) / (a * (a - b)) + B * e * (e - a) / (b * (b - a));
 }
 
+double ClampSite::scatter_at(double share, bool opening) const {
+  const auto next = std::upper_bound(form_places.begin() + 1, form_places.end() - 1, share) - form_places.begin();
+  return scatter[opening][next - 1];
+}
+
 const ClampSite& ClampCurves::site(const Vec3& point) const {
   for (const ClampSite& s : sites)
     if (norm(s.point_mm - point) < 1e-6) return s;

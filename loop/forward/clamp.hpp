@@ -44,6 +44,8 @@ struct ClampSite {
   BothWays force;                            ///< N, at the start parameters: mean of ln(F + ε) over its meshes
   int index = 0;                             ///< among the sites
   std::array<std::vector<double>, 2> scatter;  ///< what meshes differ by between the places of the curve's own error, closing and opening, rms over the largest force
+  /// Of these, at a share of the deepest closure.
+  double scatter_at(double share, bool opening) const;
   Change friction, angle;                    ///< over μ, and degrees between the jaws
   std::vector<Slice> slices;
   std::vector<std::pair<int, Change>> laws;  ///< over ln of a law's further parameters, by index

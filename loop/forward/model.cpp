@@ -216,15 +216,12 @@ Eigen::VectorXd Forward::curve_scatter(std::size_t r) const {
   Eigen::VectorXd scatter = Eigen::VectorXd::Zero(blocks(r));
   const Run& run = set_->runs[r];
   if (!clamp_ || run.test != Test::indentation || run.is_air() || run.is_block()) return scatter;
-  const auto& of_place = clamp_->site(run.point_mm).scatter;
-  const double largest = std::abs(*std::max_element(run.F.begin(), run.F.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double largest = measured(r).cwiseAbs().maxCoeff();
   const auto here = std::count_if(set_->runs.begin(), set_->runs.end(), [&](const Run& other) { return norm(other.point_mm - run.point_mm) < 1e-6; });
   for (int b = 0; b < scatter.size(); ++b) {
     const int middle = (begin_[r][b] + begin_[r][b + 1]) / 2;
     if (run.phase[middle] == "hold" || run.phase[middle] == "rest") continue;  // at a place of the curve's own error, or out
-    const double share = run.u[middle] / clamp_->deepest_mm;
-    const auto next = std::upper_bound(form_places.begin() + 1, form_places.end() - 1, share) - form_places.begin();
-    scatter(b) = largest * std::sqrt(static_cast<double>(here)) * of_place[run.phase[middle] == "unload"][next - 1];
+    scatter(b) = largest * std::sqrt(static_cast<double>(here)) * clamp_->site(run.point_mm).scatter_at(run.u[middle] / clamp_->deepest_mm, run.phase[middle] == "unload");
   }
   return scatter;
 }

@@ -10,7 +10,7 @@ using namespace palpate;
 namespace {
 
 bool remembers(const std::string& rest, const std::string& tool = "") {
-  const auto file = std::filesystem::temp_directory_path() / "palpate-case-words.toml";
+  const auto file = std::filesystem::temp_directory_path() / (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml");  // tests run beside each other
   write_text(file, "schema = \"palpate-case/1\"\nmesh = \"mesh.vtu\"\n[material]\nlaw = \"neo_hookean\"\nmu = 0.01\n[tool]\nkind = \"ball\"\nradius_mm = 5\ndepth_mm = 2\n" + tool + rest);
   const bool answer = loop::remembers(file);
   std::filesystem::remove(file);
