@@ -22,12 +22,12 @@ Tissue sticky() {
 
 Site site_of(const char* kind, double height) { return {{kind, R}, {0, 0, 0}, height, true, Strains::small}; }
 
-/// A tool that was pressed to `deepest`.
-Row pressed(const Site& site, double deepest) {
+/// A tool that was pressed to `deepest`, on that many springs.
+Row pressed(const Site& site, double deepest, int count = 2000) {
   const Tissue tissue = sticky();
   std::vector<double> depths, forces;
-  for (int i = 0; i <= 2000; ++i) {
-    depths.push_back(deepest * i / 2000);
+  for (int i = 0; i <= count; ++i) {
+    depths.push_back(deepest * i / count);
     forces.push_back(elastic_force(site, tissue, depths.back()));
   }
   auto springs = springs_of(depths, forces);
@@ -64,6 +64,27 @@ TEST(Adhesion, ALayersContactAreaBelongsToItsStiffness) {
       const double a = std::sqrt(contact_area(site, sticky(), depth) / M_PI);
       EXPECT_TRUE(std::abs(slope / (8 * mu * a * palpate::verify::punch_on_layer_factor(a / h)) - 1) <= 2e-3) << h << " " << depth;
     }
+}
+
+/// At finite strains by GetFEM: bench/hidden/contact_radii.csv, a neo-Hookean layer 20 mm high.
+TEST(Adhesion, AContactIsNarrowerAtDepth) {
+  Tissue tissue = sticky();
+  tissue.law = &law_named("neo_hookean");
+  tissue.parameters = {mu};
+  for (const auto& [radius, depth, wide] : std::initializer_list<std::array<double, 3>>{{5, 1.15, 2.4514}, {5, 2.3, 3.3681}, {5, 4.6, 4.3110}, {2.5, 1.5, 1.8295}, {2.5, 3.0, 2.26}}) {
+    const double a = std::sqrt(contact_area({{"ball", radius}, {0, 0, 0}, 20, true, Strains::finite}, tissue, depth) / M_PI);
+    EXPECT_TRUE(std::abs(a / wide - 1) <= 0.01) << radius << " " << depth << " " << a;
+  }
+}
+
+/// Few springs let go little by little: no stairs in the pull.
+TEST(Adhesion, FewSpringsPullAsManyDo) {
+  const Site site = site_of("ball", 20);
+  Row few = pressed(site, 2, 64), many = pressed(site, 2);
+  double most = 0;
+  for (double d = 2; d > 0; d -= 0.01) most = std::max(most, std::abs(few.advance(d, 1) - many.advance(d, 1)));
+  std::printf("  apart by up to %.1f %% of JKR's pull\n", 100 * most / (1.5 * M_PI * 1e-3 * work * R));
+  EXPECT_LE(most, 0.08 * 1.5 * M_PI * 1e-3 * work * R);
 }
 
 /// The largest pull is 3/2 π w R under load control, which displacement control passes before it lets go (Johnson 1985, eq. 5.47).
