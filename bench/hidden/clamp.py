@@ -2,7 +2,7 @@
 # Makes sets of a clamped tube with something hidden in it: palpate-solve closes and opens finer, slower walls than the loop solves, noise is added,
 # and the answers go to a file of their own.
 # SPDX-License-Identifier: GPL-3.0-or-later
-#   clamp.py BIN SOLVES FOLDER [--effects none,zone,viscosity,friction,jaw_angle] [--seed N] [--nulls N] [--repeatability PERCENT] [--coarse] [--sites MM,MM]
+#   clamp.py BIN SOLVES FOLDER [--effects none,zone,viscosity,friction,jaw_angle] [--seed N] [--nulls N] [--repeatability PERCENT] [--coarse] [--sites MM,MM] [--ends fixed]
 # BIN: the executables. SOLVES: curves are kept there. FOLDER gets one set per effect, and answers.jsonl. --coarse: one place and a coarse
 # mesh, for tests. Time: the solver's, times SCALE; a quasi-static wall knows no other time than its relaxation.
 import argparse
@@ -32,6 +32,13 @@ def call(*words):
     subprocess.run([str(w) for w in words], check=True, stdout=subprocess.DEVNULL)
 
 
+def along(card, low, high):
+    """Places along z as palpate-mesh counts them, along its centre line, which may begin at either end."""
+    points = json.loads(card.read_text())["notes"]["centre_line"]["points_mm"]
+    start, way = points[0][2], 1 if points[-1][2] > points[0][2] else -1
+    return sorted(way * (z - start) for z in (low, high))
+
+
 def mesh(a, rig, knobs, site):
     """A wall fine at `site`, with its zone."""
     tube, edges = a.solves / f"tube-{rig.length:g}.vtp", rig.edges_slow if "g" in knobs else rig.edges
@@ -39,7 +46,8 @@ def mesh(a, rig, knobs, site):
         call(a.bin / "palpate-idealize", tube, "--diameter", DIAMETER, "--length", rig.length, "--edge", 1.3, "--quiet")
     words, name = [], f"wall-{rig.length:g}-{site:g}-{edges[0]}"
     if "excess" in knobs:
-        low, high = knobs["place"] - knobs["half"], knobs["place"] + knobs["half"]
+        plain = mesh(a, rig, {key: value for key, value in knobs.items() if key == "g"}, site)
+        low, high = along(plain.with_suffix(".vtu.card.json"), knobs["place"] - knobs["half"], knobs["place"] + knobs["half"])
         words, name = [f"--zone={low},{high},{1 + knobs['excess']}", "--zone-edge", 1], f"{name}-{low:.3f}-{high:.3f}-{knobs['excess']:.4f}"
     file = a.solves / f"{name}.vtu"
     if not file.exists():
@@ -62,10 +70,10 @@ def closed(a, name, wall, text, speed):
 def curve(a, rig, knobs, site, gap, slower=1):
     """Rows (t, u, F) of a closing and opening: u = declared diameter less the gap between the jaws."""
     wall = mesh(a, rig, knobs, site)
-    name = f"{wall.stem}-{gap:g}" + "".join(f"-{k}{knobs[k]:.4f}" for k in ("mu_jaws", "angle_deg", "g", "tau_s") if k in knobs) + (f"-x{slower}" if "g" in knobs else "")
+    name = f"{wall.stem}-{gap:g}" + ("" if a.ends == "section" else f"-{a.ends}") + "".join(f"-{k}{knobs[k]:.4f}" for k in ("mu_jaws", "angle_deg", "g", "tau_s") if k in knobs) + (f"-x{slower}" if "g" in knobs else "")
     folder = a.solves / name
     if not (folder / "history.csv").exists():
-        text = (f'schema = "palpate-case/1"\nscheme = "explicit"\n[material]\nlaw = "neo_hookean"\nmu = {MU}\n[clamp]\ncentre_mm = [0, 0, {site}]\nopen_mm = {DIAMETER + 1.5}\n'
+        text = (f'schema = "palpate-case/1"\nscheme = "explicit"\nends = "{a.ends}"\n[material]\nlaw = "neo_hookean"\nmu = {MU}\n[clamp]\ncentre_mm = [0, 0, {site}]\nopen_mm = {DIAMETER + 1.5}\n'
                 f'speed_mm_s = SPEED\ngap_mm = {gap}\nhold_s = {rig.hold_s}\nopens = true\nangle_deg = {knobs.get("angle_deg", 0)}\n')
         if "mu_jaws" in knobs:
             text += f'friction = {knobs["mu_jaws"]}\nself_friction = {knobs["mu_jaws"]}\n'
@@ -142,7 +150,7 @@ def write_set(a, rig, name, effect, seed):
         knobs["place"] += rig.sites[0] - 40  # beside the middle, under the jaws
     folder = a.folder / name
     folder.mkdir(parents=True)
-    text = (f'schema = "palpate-set/1"\n\n[specimen]\nid = "{name}"\nshape = "tube"\ndiameter_mm = {DIAMETER}\nlength_mm = {rig.length}\nwall_mm = {rig.wall}\nedge_mm = {rig.set_edge}\n'
+    text = (f'schema = "palpate-set/1"\n\n[specimen]\nid = "{name}"\nshape = "tube"\ndiameter_mm = {DIAMETER}\nlength_mm = {rig.length}\nwall_mm = {rig.wall}\nedge_mm = {rig.set_edge}\nends = "{a.ends}"\n'
             'law = "neo_hookean"\n\n[rig]\ncompliance_mm_per_N = 0.0\n\n[tool.jaws]\nkind = "jaws"\nwidth_mm = 40.0\nlength_mm = 10.0\n')
     for order, (run, site, gap, slower, group, role) in enumerate(runs_of(rig, knobs)):
         rows = noisy(rng, [(t, u, f * mu / MU) for t, u, f in curve(a, rig, knobs, site, gap, slower)], a.repeatability / 100)
@@ -165,6 +173,7 @@ def main():
     parser.add_argument("--repeatability", type=float, default=1.0)
     parser.add_argument("--coarse", action="store_true")
     parser.add_argument("--sites", type=lambda text: [float(z) for z in text.split(",")], help="where the jaws close, mm along the tube; the middle one of the list is also closed slowly, and sealed")
+    parser.add_argument("--ends", default="section", choices=("section", "fixed"), help="of the tube: free to slide along its centre line, or held")
     a = parser.parse_args()
     a.solves.mkdir(parents=True, exist_ok=True)
     rig, number = Rig(a.coarse, a.sites), 0

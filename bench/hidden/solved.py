@@ -4,10 +4,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sets of a pressed organ by the whole solver.
 
-    solved.py BIN CASE MESH SOLVES FOLDER [--effects none,prony,prony+drift] [--each N] [--seed N] [--repeatability PERCENT] [--amplitude X] [--memory-mesh MESH]
+    solved.py BIN CASE MESH SOLVES FOLDER [--effects none,prony,prony+drift] [--each N] [--seed N] [--repeatability PERCENT] [--amplitude X] [--memory-mesh MESH] [--also X,Y,Z/AX,AY,AZ]
 
 BIN: the executables. CASE: case.toml of the loop, beside its mesh; its law is the truth's too. MESH: the truth's mesh. SOLVES: curves are kept there. FOLDER gets one set per
-effect and number, and answers.jsonl. Protocol: two rods; ramp, hold, unload, rest, twice, at three rates, with repeats; a rigid block; one sealed run to four fifths of the depth.
+effect and number, and answers.jsonl. Protocol: two rods, at the place of CASE and at those of --also; ramp, hold, unload, rest, twice, at three rates, with repeats; a rigid block; one sealed run to four fifths of the depth.
 """
 import argparse
 import bisect
@@ -34,11 +34,14 @@ ON_TOP = {"contact_offset": 0.12, "rig_compliance": 0.25, "drift": 4e-4, "lag": 
 DEPTH = 4.0  # mm
 
 
-def runs_of():
-    """id, radius of the rod, rate, depth, replicate, role."""
-    runs = [(f"r0{i}", 2.5, 1.0, DEPTH, "g1", "fit") for i in (1, 2, 3)] + [(f"r0{i}", 2.5, 0.1, DEPTH, "g2", "fit") for i in (4, 5)]
-    runs += [(f"r0{i}", 2.5, 10.0, DEPTH, "g3", "fit") for i in (6, 7)] + [(f"r0{i}", 5.0, 1.0, DEPTH, "g4", "fit") for i in (8, 9)]
-    return runs + [("h01", 2.5, 1.0, 0.8 * DEPTH, "", "holdout")]
+def runs_of(a):
+    """id, rod (radius, where), rate, depth, replicate, role."""
+    small, large = (2.5, a.places[0]), (5.0, a.places[0])
+    runs = [(f"r0{i}", small, 1.0, DEPTH, "g1", "fit") for i in (1, 2, 3)] + [(f"r0{i}", small, 0.1, DEPTH, "g2", "fit") for i in (4, 5)]
+    runs += [(f"r0{i}", small, 10.0, DEPTH, "g3", "fit") for i in (6, 7)] + [(f"r0{i}", large, 1.0, DEPTH, "g4", "fit") for i in (8, 9)]
+    for number, place in enumerate(a.places[1:], 2):
+        runs += [(f"p{number}{letter}{i}", (radius, place), 1.0, DEPTH, f"g{number}{letter}", "fit") for letter, radius in (("a", 2.5), ("b", 5.0)) for i in (1, 2)]
+    return runs + [("h01", small, 1.0, 0.8 * DEPTH, "", "holdout")]
 
 
 def programme(rate, depth):
@@ -52,7 +55,7 @@ def programme(rate, depth):
     return corners, times
 
 
-def case_text(a, radius, effect, amplitude, motion):
+def case_text(a, rod, effect, amplitude, motion):
     text = re.sub(r"(?ms)^\[(tool|steps)\].*?(?=^\[|\Z)", "", a.case.read_text())
     mu = float(re.search(r"(?m)^mu\s*=\s*([\d.e-]+)", text)[1])
     if effect == "compressibility":
@@ -67,12 +70,12 @@ def case_text(a, radius, effect, amplitude, motion):
         text += IN_SOLVER[effect][0].format(amplitude)
     if effect == "support":
         text = re.sub(r"(?ms)^\[base\].*?(?=^\[|\Z)", "", text) + re.search(r"(?m)^plane.*$", a.case.read_text())[0] + "\n"
-    return text + f'[tool]\nkind = "rod"\nradius_mm = {radius}\n' + a.aim + motion
+    return text + f'[tool]\nkind = "rod"\nradius_mm = {rod[0]}\naim_mm = {rod[1][0]}\naxis = {rod[1][1]}\n' + motion
 
 
-def solved(a, mesh, radius, effect, amplitude, motion):
+def solved(a, mesh, rod, effect, amplitude, motion):
     """(t, depth, force) of each step."""
-    text = case_text(a, radius, effect, amplitude, motion)
+    text = case_text(a, rod, effect, amplitude, motion)
     folder = a.solves / f"{effect or 'none'}-{hashlib.sha256(text.encode() + mesh.read_bytes()).hexdigest()[:12]}"
     if not (folder / "history.csv").exists():
         a.solves.mkdir(parents=True, exist_ok=True)
@@ -82,19 +85,19 @@ def solved(a, mesh, radius, effect, amplitude, motion):
         return [(float(r["t[s]"]), float(r["depth[mm]"]), float(r["F[N]"])) for r in csv.DictReader(file)]
 
 
-def elastic(a, radius, effect="", amplitude=0.0, mesh=None):
+def elastic(a, rod, effect="", amplitude=0.0, mesh=None):
     """Force over depth, a function."""
-    rows = [r for r in solved(a, mesh or a.mesh, radius, effect, amplitude, f"depth_mm = {1.08 * DEPTH}\n[steps]\ncount = 22\nframes = 1\n") if r[1] > 0 and r[2] > 0]
+    rows = [r for r in solved(a, mesh or a.mesh, rod, effect, amplitude, f"depth_mm = {1.08 * DEPTH}\n[steps]\ncount = 22\nframes = 1\n") if r[1] > 0 and r[2] > 0]
     points = [(math.sqrt(u), f / u**1.5) for _, u, f in rows]
     return lambda u: 0.0 if u <= 0 else u**1.5 * (points[0][1] if math.sqrt(u) < points[0][0] else cubic(points, math.sqrt(u)))
 
 
-def moved(a, radius, rate, depth, effect, amplitude, base):
+def moved(a, rod, rate, depth, effect, amplitude, base):
     """Force over time of a motion: the ratio to the elastic force of the same mesh, a cubic between the solved times of each stretch, times the truth's elastic force."""
     corners, times = programme(rate, depth)
     path = ", ".join(f"[{t:.6f}, {u:.6f}]" for t, u in corners)
-    rows = solved(a, a.memory_mesh, radius, effect, amplitude, f"path = [{path}]\n[steps]\ntimes_s = [{', '.join(f'{t:.6f}' for t in times)}]\nmost_cuts = 8\nframes = 1\n")
-    own = elastic(a, radius, mesh=a.memory_mesh)
+    rows = solved(a, a.memory_mesh, rod, effect, amplitude, f"path = [{path}]\n[steps]\ntimes_s = [{', '.join(f'{t:.6f}' for t in times)}]\nmost_cuts = 8\nframes = 1\n")
+    own = elastic(a, rod, mesh=a.memory_mesh)
     floor, own_floor = 0.02 * base(depth), 0.02 * own(depth)
     phases = []  # knots of each stretch of the motion
     for (start, _), (end, _) in zip(corners, corners[1:]):
@@ -120,20 +123,20 @@ def samples_of(rate, depth):
     return out
 
 
-def tissue_of(a, effects, knobs, radius, rate, depth):
+def tissue_of(a, effects, knobs, rod, rate, depth):
     """Force as a function of time and depth: one effect of the solver at most."""
     inside = [e for e in effects if e in IN_SOLVER]
-    base = elastic(a, radius)
+    base = elastic(a, rod)
     if not inside:
         return lambda t, u: base(u)
     effect = inside[0]
     if effect in MEMORY:
-        return moved(a, radius, rate, depth, effect, knobs[effect], base)
+        return moved(a, rod, rate, depth, effect, knobs[effect], base)
     if effect in PATH:  # no time in it: one programme, stretched
-        at_one = moved(a, radius, 1.0, depth, effect, knobs[effect], base)
+        at_one = moved(a, rod, 1.0, depth, effect, knobs[effect], base)
         ramp, one = depth / rate, depth
         return lambda t, u: at_one(stretched(t, ramp, one), u)
-    with_it = elastic(a, radius, effect, knobs[effect])
+    with_it = elastic(a, rod, effect, knobs[effect])
     return lambda t, u: with_it(u)
 
 
@@ -150,8 +153,8 @@ def stretched(t, ramp, one):
 
 def read_run(a, effects, knobs, run, order):
     """(t, u, F) without noise."""
-    _, radius, rate, depth, _, _ = run
-    tissue = tissue_of(a, effects, knobs, radius, rate, depth)
+    _, rod, rate, depth, _, _ = run
+    tissue = tissue_of(a, effects, knobs, rod, rate, depth)
     times, read = zip(*samples_of(rate, depth))
     inner = [u + knobs.get("contact_offset", 0) for u in read]
     force, c = [tissue(t, u) for t, u in zip(times, inner)], knobs.get("rig_compliance", 0)
@@ -162,7 +165,7 @@ def read_run(a, effects, knobs, run, order):
 
 def given_way(a, stiffness):
     """Compliance, mm/N, by which a support of this stiffness per area lets the organ go down under the small rod: least squares over depth."""
-    held, carried = elastic(a, 2.5), elastic(a, 2.5, "support", stiffness)
+    held, carried = elastic(a, (2.5, a.places[0])), elastic(a, (2.5, a.places[0]), "support", stiffness)
     over = under = 0.0
     for k in range(4, 21):
         u = DEPTH * k / 20
@@ -175,7 +178,7 @@ def given_way(a, stiffness):
 
 def write_set(a, name, effects, seed):
     rng = random.Random(seed)
-    top = elastic(a, 2.5)(DEPTH)
+    top = elastic(a, (2.5, a.places[0]))(DEPTH)
     knobs = {e: IN_SOLVER[e][1] if e in IN_SOLVER else ON_TOP[e] * (top if e in ("drift", "saturation", "tare") else 1) for e in effects}
     for e in effects:
         if e in ON_TOP and e != "saturation":
@@ -189,8 +192,8 @@ def write_set(a, name, effects, seed):
     for radius in (2.5, 5.0):
         text += f'\n[tool.t{radius:g}]\nkind = "rod"\nradius_mm = {radius}\n'.replace("t2.5", "t2").replace("t5]", "t5]")
     squares = count = 0
-    for order, run in enumerate(runs_of(), 1):
-        identity, radius, rate, depth, group, role = run
+    for order, run in enumerate(runs_of(a), 1):
+        identity, (radius, (aim, axis)), rate, depth, group, role = run
         times, read, force = read_run(a, effects, knobs, run, order)
         plain = read_run(a, [], {}, run, order)[2]
         if role == "fit":
@@ -198,13 +201,13 @@ def write_set(a, name, effects, seed):
         shown = noise(rng, times, force, a.repeatability / 100, math.inf)
         with open(folder / f"{identity}.csv", "w", newline="") as file:
             csv.writer(file).writerows([("t[s]", "u[mm]", "F[N]")] + [(f"{t:.4f}", f"{u:.6f}", f"{f:.7f}") for t, u, f in zip(times, read, shown)])
-        text += (f'\n[[run]]\nid = "{identity}"\nfile = "{identity}.csv"\ntool = "t{"2" if radius == 2.5 else "5"}"\n{a.point}zero = "geometry"\norder = {order}\nrest_before_s = 60\n'
+        text += (f'\n[[run]]\nid = "{identity}"\nfile = "{identity}.csv"\ntool = "t{"2" if radius == 2.5 else "5"}"\npoint_mm = {aim}\naxis = {axis}\nzero = "geometry"\norder = {order}\nrest_before_s = 60\n'
                  f'rate_mm_s = {rate}\nrole = "{role}"\n' + (f'replicate = "{group}"\n' if group else ""))
     c = knobs.get("rig_compliance", 0)
     with open(folder / "block.csv", "w", newline="") as file:
         rows = [(0.1 * i, c * 0.02 * min(i, 80 - i) + rng.gauss(0, 1e-5), 0.02 * min(i, 80 - i) + rng.gauss(0, SENSOR), "block") for i in range(81)]
         csv.writer(file).writerows([("t[s]", "u[mm]", "F[N]", "phase")] + [(f"{t:.2f}", f"{u:.6f}", f"{f:.7f}", p) for t, u, f, p in rows])
-    text += f'\n[[run]]\nid = "b01"\nfile = "block.csv"\ntool = "t2"\n{a.point}zero = "geometry"\norder = {len(runs_of()) + 1}\nrest_before_s = 60\nrole = "calibration"\n'
+    text += f'\n[[run]]\nid = "b01"\nfile = "block.csv"\ntool = "t2"\npoint_mm = {a.places[0][0]}\naxis = {a.places[0][1]}\nzero = "geometry"\norder = {len(runs_of(a)) + 1}\nrest_before_s = 60\nrole = "calibration"\n'
     (folder / "set.toml").write_text(text)
     if "support" in knobs:
         knobs["support_mm_per_N"] = given_way(a, knobs["support"])
@@ -223,10 +226,10 @@ def main():
     parser.add_argument("--amplitude", type=float, default=0.0, help="of the first effect, instead of the usual one")
     parser.add_argument("--memory-mesh", type=pathlib.Path, help="a coarser one for effects that remember, or hold on to the tool: of their force over the elastic one, instead of MESH")
     parser.add_argument("--law", default="", help='of the set, instead of the case\'s: "unknown"')
+    parser.add_argument("--also", action="append", default=[], metavar="X,Y,Z/AX,AY,AZ", help="a further place, pressed by both rods: point and axis")
     a = parser.parse_args()
     tool = re.search(r"(?ms)^\[tool\].*?(?=^\[|\Z)", a.case.read_text())[0]
-    aim, axis = (re.search(rf"(?m)^{key}\s*=\s*(\[.*?\])", tool)[1] for key in ("aim_mm", "axis"))
-    a.aim, a.point = f"aim_mm = {aim}\naxis = {axis}\n", f"point_mm = {aim}\naxis = {axis}\n"
+    a.places = [tuple(re.search(rf"(?m)^{key}\s*=\s*(\[.*?\])", tool)[1] for key in ("aim_mm", "axis"))] + [tuple(f"[{v}]" for v in place.split("/")) for place in a.also]
     a.case, a.memory_mesh = a.case.resolve(), a.memory_mesh or a.mesh
     for word in a.effects.split(","):
         for i in range(a.each):

@@ -38,7 +38,9 @@ std::string case_text(const Bench& b, const Run& run, const Closing& job) {
   out.precision(9);
   out << "# tube " << s.size_mm[0] << " x " << s.size_mm[2] << " mm, wall " << s.wall_mm << " mm, edges " << job.edge_mm << " mm, in the folds " << fold_edge(s, job) << " mm";
   if (job.excess != 0) out << ", from " << job.from << " to " << job.to << " mm " << 1 + job.excess << " times as thick";
-  out << "; solver " << b.version << "\nschema = \"palpate-case/1\"\nscheme = \"explicit\"\n[material]\nlaw = \"" << b.start.law->name << "\"\n";
+  out << "; solver " << b.version << "\nschema = \"palpate-case/1\"\nscheme = \"explicit\"\n";
+  if (s.ends != "section") out << "ends = \"" << s.ends << "\"\n";
+  out << "[material]\nlaw = \"" << b.start.law->name << "\"\n";
   for (std::size_t i = 0; i < b.start.parameters.size(); ++i)
     out << b.start.law->parameters[i].name << " = " << b.start.parameters[i] * (static_cast<int>(i) == job.parameter ? 1.5 : 1) << "\n";
   out << "[clamp]\ncentre_mm = [" << run.point_mm[0] << ", " << run.point_mm[1] << ", " << run.point_mm[2] << "]\naxis = [" << run.axis[0] << ", " << run.axis[1] << ", " << run.axis[2]

@@ -69,6 +69,7 @@ Specimen read_specimen(const Settings& s, const std::filesystem::path& folder) {
     if (specimen.shape == "tube") {
       specimen.wall_mm = s.real("wall_mm", {1e-3, specimen.size_mm[0] / 4});
       specimen.edge_mm = s.real("edge_mm", 3, {0.2, specimen.size_mm[0] / 4});
+      if (s.has("ends")) specimen.ends = s.choice("ends", {"section", "fixed", "free"});
     }
     for (double edge : specimen.size_mm)
       if (!(edge > 0)) throw Failure(ExitCode::misuse, "the specimen has an edge that is not positive", s.where("shape"));

@@ -37,6 +37,7 @@ struct Specimen {
   Vec3 size_mm{0, 0, 0};            ///< block: edges; cylinder, tube: diameter, diameter, height; ellipsoid: axes
   double wall_mm = 0;               ///< of a tube, as declared
   double edge_mm = 3;               ///< of the meshes a tube is solved on, at the jaws
+  std::string ends = "section";     ///< of a tube, how they are held: palpate-solve's word
   bool bonded = true;               ///< the base; false: it slides without friction
   bool ring = false;                ///< the side is held by a ring
   std::string law = "neo_hookean";  ///< the null; "unknown": chosen by leave-one-run-out error

@@ -15,6 +15,7 @@
 #include <pipeline/mesh/open_tube.hpp>
 #include <pipeline/mesh/quality.hpp>
 #include <pipeline/mesh/shell_mesh.hpp>
+#include <pipeline/mesh/shell_order.hpp>
 #include <pipeline/mesh/shell_quality.hpp>
 #include <pipeline/mesh/shell_thickness.hpp>
 #include <pipeline/mesh/size_field.hpp>
@@ -167,6 +168,7 @@ void mesh_shell(Command& c) {
     area += norm(cross(moved.points[t[1]] - moved.points[t[0]], moved.points[t[2]] - moved.points[t[0]])) / 2;
   ShellMesh mesh = mesh_tube(moved, shell_sizes(c, line), c.real("thickness"));
   improve_shell(mesh, SurfaceIndex(moved), 10);
+  order_along(mesh);
   const double meshed = shell_quality(mesh).area_mm2;
   if (c.has("wall")) {
     const MeasuredWall wall = measure_wall(mesh, read_labels(c.file("wall")), static_cast<int>(c.integer("wall-label")), c.real("wall-reach"));

@@ -24,6 +24,7 @@ constexpr double slowing = 0.5e-3, quickening = 5e-3;  ///< s
 constexpr double waiting_damping = 800;        ///< 1/s, where the jaws stand still
 constexpr double settling_damping = 400;       ///< 1/s, before the jaws begin
 constexpr long longest_rest = 200000;           ///< cycles
+constexpr double past_the_peak = 0.8;          ///< of the kinetic energy's peak: less is no ripple of what quivers beside the slow motion that is to go on
 constexpr double pressure_duration = 0.1;      ///< s, where the case does not say
 
 std::string place(const Wall& wall, int t) {
@@ -37,7 +38,8 @@ std::string place(const Wall& wall, int t) {
 
 Closing::Closing(Case& the_case, int threads)
     : c(the_case), tissue(the_case.tissue.plain() ? std::nullopt : std::optional<TissueForces>(std::in_place, the_case.tissue, the_case.wall)),
-      motion(the_case.wall, the_case.holds, threads, tissue ? &*tissue : nullptr), jaws(the_case.clamp, the_case.wall), self(the_case.wall), node_area_(node_areas(the_case.wall)) {
+      motion(the_case.wall, the_case.holds, threads, tissue ? &*tissue : nullptr), jaws(the_case.clamp, the_case.wall, threads), self(the_case.wall, threads), node_area_(node_areas(the_case.wall)),
+      jaw_force_(the_case.wall.rest.size()), self_force_(the_case.wall.rest.size()) {
   shortest_edge_ = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : c.wall.edges) shortest_edge_ = std::min(shortest_edge_, length3(c.wall.rest[b] - c.wall.rest[a]));
   motion.damping = c.settle > 0 ? settling_damping : c.damping;
@@ -48,13 +50,26 @@ Closing::Closing(Case& the_case, int threads)
 
 void Closing::contact() {
   auto& force = motion.outside.contact;
-  std::fill(force.begin(), force.end(), Lanes{});
-  self_force_.assign(force.size(), Lanes{});
-  motion.together([&] { jaws.touch(c.wall, motion.state, stiffness_, contact_damping, force); },
-                  [&] { self.touch(motion.state, {stiffness_ / 2, contact_damping, c.self_friction}, self_force_); });
+  if (!swept_) std::fill(force.begin(), force.end(), Lanes{});
+  swept_ = true;
+  for (FewForces* of : {&jaw_force_, &self_force_}) {
+    for (int i : of->nodes()) force[i] = Lanes{};
+    of->clear();
+  }
+  if (!jaws.has_looked()) jaws.look(c.wall, motion.state);
+  if (self.is_out_of_date(motion.state, strayed_)) self.search(motion);
+  strayed_ = -1;
+  motion.shared([&](const Motion::Share& share) {
+    jaws.touch_nodes(share, c.wall, motion.state, stiffness_, contact_damping);
+    self.touch_nodes(share, motion.state, {stiffness_ / 2, contact_damping, c.self_friction});
+    motion.meet();
+    jaws.touch_triangles(share, c.wall, stiffness_);
+  });
+  jaws.gather(c.wall, jaw_force_);
+  self.gather(self_force_);
   motion.add_tool_work(jaws.take_work());
-  if (self.touching())
-    for (std::size_t i = 0; i < force.size(); ++i) force[i] += self_force_[i];
+  for (const FewForces* of : {&jaw_force_, &self_force_})
+    for (int i : of->nodes()) force[i] += (*of)[i];
   if (c.beds.empty()) return;
   std::fill(motion.outside.load.begin(), motion.outside.load.end(), Lanes{});
   press(c.beds, c.wall, motion.state, motion.outside.load);
@@ -118,25 +133,32 @@ void Closing::advance(double dt) {
     if (tissue) tissue->tension_rise = 1;
     jaws.move(clock_, pace_ * dt, dt);
   }
-  motion.step(dt);
+  strayed_ = motion.step(dt, &self.searched_at());
   clock_ += pace_ * dt;
   if (++cycles % cycles_between_paces == 0) keep_pace();
 }
 
-/// Dynamic relaxation: with the jaws where they are everything is stopped whenever its kinetic energy has a peak, where what is stored has a
-/// trough. (Cundall 1976; Barnes 1999, Int. J. Space Struct. 14:89.)
+/// Dynamic relaxation: with the jaws where they are everything is stopped whenever its kinetic energy has passed a peak, near where what is stored has a
+/// trough (Cundall 1976; Barnes 1999, Int. J. Space Struct. 14:89), and damped as where jaws wait: contact that goes from triangle to triangle keeps what is not damped in motion.
 void Closing::relax() {
-  double before = 0;
-  for (const long until = cycles + longest_rest; cycles < until; before = motion.kinetic()) {
+  motion.damping = waiting_damping;
+  double peak = 0, part = 0;
+  for (const long until = cycles + longest_rest; cycles < until;) {
     if (cycles >= judged_again_) judge();
     for (int i = 0; i < cycles_between_paces; ++i) advance(step_);
-    if (motion.kinetic() <= c.rest_part * std::abs(motion.internal())) {
-      if (before == 0) return;  // it does not leave its rest
+    const double kinetic = motion.kinetic();
+    part = kinetic / std::max(std::abs(motion.internal()), 1e-300);
+    if (part <= c.rest_part && peak == 0) return;  // it does not leave its rest
+    if (part <= c.rest_part || kinetic < past_the_peak * peak) {
       motion.halt();
-    } else if (motion.kinetic() < before) {
-      motion.halt();
+      peak = 0;
+    } else {
+      peak = std::max(peak, kinetic);
     }
   }
+  std::ostringstream what;
+  what << "the wall does not come to rest: after " << longest_rest << " cycles at gap " << jaws.gap() << " mm its kinetic energy still is " << part << " of the internal, where rest_part allows " << c.rest_part;
+  throw Failure(ExitCode::not_converged, what.str(), "", "a larger [steps] rest_part, or kinetic_part so that the jaws wait before");
 }
 
 /// What no later step mends: a mid-surface in a jaw or in another, energy from nowhere.
@@ -162,6 +184,8 @@ void Closing::keep(Archive& a) {
   a(motion, jaws, self, end, cycles, worst_imbalance, peak_internal, worst_kinetic, step_, stiffness_, first_stable_, clock_, pace_, judged_again_, rows_, frames_);
   if (tissue) a(*tissue);
   for (Bed& bed : c.beds) a(bed.memory);
+  swept_ = false;
+  strayed_ = -1;
 }
 
 void Closing::run(const std::function<void(const Row&)>& row_done, const std::function<void(const Row&)>& frame_done, const std::function<void()>& save) {

@@ -62,7 +62,9 @@ struct Closing {
   long judged_again_ = 0;
   int rows_ = 0, frames_ = 0;   ///< done; a run that is continued has some
   std::vector<double> node_area_;
-  std::vector<Lanes> self_force_;
+  FewForces jaw_force_, self_force_;
+  bool swept_ = false;    ///< nodes without contact have none in the motion's
+  double strayed_ = -1;   ///< square of the farthest from where self-contact was searched
 };
 
 }  // namespace palpate::explicit_shell

@@ -32,7 +32,7 @@ double Clamp::friction() const {
   return sum;
 }
 
-Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
+Jaws::Jaws(const Clamp& clamp, const Wall& wall, int threads) : clamp_(clamp), pushes_(threads) {
   for (const auto& shape : tools::all())
     if (shape.entry.name == "box") block_ = shape;
   parameters_ = {clamp.width, clamp.length, clamp.height, clamp.edge_radius};
@@ -52,7 +52,7 @@ Jaws::Jaws(const Clamp& clamp, const Wall& wall) : clamp_(clamp) {
     throw Failure(ExitCode::misuse, text.str(), "", "a mesh of a thinner wall (palpate-mesh --thickness, --offset)");
   }
   is_near_.assign(wall.rest.size(), 0);
-  local_.assign(wall.rest.size(), Lanes{});
+  for (auto& local : local_) local.assign(wall.rest.size(), Lanes{});
   node_area_ = node_areas(wall);
   node_normal_.assign(wall.rest.size(), Lanes{});
   for (const auto& [a, b, c] : wall.triangles)
@@ -111,16 +111,25 @@ void Jaws::look(const Wall& wall, const WallState& state) {
   }
 }
 
-void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force) {
-  touched_.clear();
-  through_ = -1;
-  if (!(std::abs(travel_ - looked_at_) < margin_ / 4)) look(wall, state);
+void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, double damping, FewForces& force) {
+  if (!has_looked()) look(wall, state);
+  const Motion::Share all{0, 0, static_cast<int>(wall.rest.size()), 0, static_cast<int>(wall.triangles.size())};
+  touch_nodes(all, wall, state, stiffness, damping);
+  touch_triangles(all, wall, stiffness);
+  gather(wall, force);
+}
+
+void Jaws::touch_nodes(const Motion::Share& share, const Wall& wall, const WallState& state, double stiffness, double damping) {
   for (int j : {0, 1}) {
-    forces_[j].setZero();
+    auto& pushes = pushes_[share.thread][j][0];
+    pushes.clear();
     const Vector3d jaw_velocity = j == 0 ? Vector3d(velocity_ * clamp_.axis) : Vector3d(Vector3d::Zero());
-    for (int i : near_nodes_[j]) {
-      local_[i] = local(jaws_[j], state.x[i]);
-      if (local_[i][2] + clamp_.height / 2 < -wall.thickness[i] / 2 - reach_) continue;
+    const auto& near = near_nodes_[j];
+    for (auto at = std::lower_bound(near.begin(), near.end(), share.node); at != near.end() && *at < share.last_node; ++at) {
+      const int i = *at;
+      const Lanes x = local_[j][i] = local(jaws_[j], state.x[i]);
+      const double within = wall.thickness[i] / 2 + reach_;
+      if (std::abs(x[0]) - clamp_.width / 2 > within || std::abs(x[1]) - clamp_.length / 2 > within || std::abs(x[2]) - clamp_.height / 2 > within) continue;
       const auto d = distance(jaws_[j], vector(state.x[i]));
       const double depth = wall.thickness[i] / 2 - d.g;
       if (!(depth > -reach_)) continue;
@@ -128,14 +137,37 @@ void Jaws::touch(const Wall& wall, const WallState& state, double stiffness, dou
       const double normal = depth > 0 ? wall.mass[i] * std::max(stiffness * depth - 2 * damping * std::sqrt(stiffness) * v.dot(d.n), 0.0) : 0;
       Vector3d f = normal * d.n;
       if (!clamp_.tractions.empty()) f += tractions_on(j, i, d, normal, stiffness, wall, state);
-      force[i] += Lanes{f[0], f[1], f[2], 0};
-      forces_[j] += f;
-      if (!(depth > 0)) continue;
-      deepest_ = std::max(deepest_, depth);
-      if (depth > wall.thickness[i] / 2) through_ = i;
-      if (j == 0) touched_.push_back(i);
+      pushes.push_back({f, {i, -1, -1}, {1, 0, 0}, depth});
     }
-    touch_between(j, wall, stiffness / 4, force);
+  }
+}
+
+void Jaws::touch_triangles(const Motion::Share& share, const Wall& wall, double stiffness) {
+  for (int j : {0, 1}) {
+    auto& pushes = pushes_[share.thread][j][1];
+    pushes.clear();
+    const auto& near = near_triangles_[j];
+    for (auto at = std::lower_bound(near.begin(), near.end(), share.triangle); at != near.end() && *at < share.last_triangle; ++at) touch_between(j, *at, wall, stiffness / 4, pushes);
+  }
+}
+
+/// In the order of nodes and triangles, however many threads found them.
+void Jaws::gather(const Wall& wall, FewForces& force) {
+  touched_.clear();
+  through_ = -1;
+  for (int j : {0, 1}) {
+    forces_[j].setZero();
+    for (int kind : {0, 1})
+      for (const auto& of_thread : pushes_)
+        for (const Push& push : of_thread[j][kind]) {
+          for (int k = 0; k < 3 && push.nodes[k] >= 0; ++k) force.add(push.nodes[k], push.weights[k] * Lanes{push.force[0], push.force[1], push.force[2], 0});
+          forces_[j] += push.force;
+          if (kind == 1 || !(push.depth > 0)) continue;
+          const int i = push.nodes[0];
+          deepest_ = std::max(deepest_, push.depth);
+          if (push.depth > wall.thickness[i] / 2) through_ = i;
+          if (j == 0) touched_.push_back(i);
+        }
   }
 }
 
@@ -165,27 +197,23 @@ void Jaws::remember() {
 
 /// Where a thin wall bends around a jaw's edge a triangle between nodes that lie as they should may cut it: its point nearest to the jaw's core
 /// is kept outside, but not half a thickness away, for a chord of what is bent lies deeper than its ends.
-void Jaws::touch_between(int j, const Wall& wall, double stiffness, std::vector<Lanes>& force) {
+void Jaws::touch_between(int j, int triangle, const Wall& wall, double stiffness, std::vector<Push>& pushes) const {
   const double r = std::min({clamp_.edge_radius, clamp_.width / 2, clamp_.length / 2, clamp_.height / 2});
   const Lanes half{clamp_.width / 2 - r, clamp_.length / 2 - r, clamp_.height / 2 - r, 0};
   const auto over_face = [&](const Lanes& x) { return std::abs(x[0]) <= half[0] && std::abs(x[1]) <= half[1]; };
-  for (int t : near_triangles_[j]) {
-    const auto& n = wall.triangles[t];
-    const std::array<Lanes, 3> x{local_[n[0]], local_[n[1]], local_[n[2]]};
-    const double clear = clear_chord * std::min({wall.thickness[n[0]], wall.thickness[n[1]], wall.thickness[n[2]]}), within = r + clear;
-    const auto beyond = [&](int axis) {
-      return std::min({x[0][axis], x[1][axis], x[2][axis]}) > half[axis] + within || std::max({x[0][axis], x[1][axis], x[2][axis]}) < -half[axis] - within;
-    };
-    if (beyond(2) || beyond(1) || beyond(0)) continue;
-    if (over_face(x[0]) && over_face(x[1]) && over_face(x[2])) continue;  // its nodes say it all
-    const auto near = nearest_to_block(x, half, within);
-    if (!(near.distance < within) || !(near.distance > 0)) continue;
-    double softness = 0;
-    for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall.mass[n[k]];
-    const Vector3d f = stiffness / softness * (within - near.distance) / near.distance * (jaws_[j].frame * vector(near.apart));
-    for (int k = 0; k < 3; ++k) force[n[k]] += near.weights[k] * Lanes{f[0], f[1], f[2], 0};
-    forces_[j] += f;
-  }
+  const auto& n = wall.triangles[triangle];
+  const std::array<Lanes, 3> x{local_[j][n[0]], local_[j][n[1]], local_[j][n[2]]};
+  const double clear = clear_chord * std::min({wall.thickness[n[0]], wall.thickness[n[1]], wall.thickness[n[2]]}), within = r + clear;
+  const auto beyond = [&](int axis) {
+    return std::min({x[0][axis], x[1][axis], x[2][axis]}) > half[axis] + within || std::max({x[0][axis], x[1][axis], x[2][axis]}) < -half[axis] - within;
+  };
+  if (beyond(2) || beyond(1) || beyond(0)) return;
+  if (over_face(x[0]) && over_face(x[1]) && over_face(x[2])) return;  // its nodes say it all
+  const auto near = nearest_to_block(x, half, within);
+  if (!(near.distance < within) || !(near.distance > 0)) return;
+  double softness = 0;
+  for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall.mass[n[k]];
+  pushes.push_back({stiffness / softness * (within - near.distance) / near.distance * (jaws_[j].frame * vector(near.apart)), n, near.weights, 0});
 }
 
 void Jaws::move(double clock, double pace, double dt) {

@@ -6,6 +6,7 @@
 
 #include <solver/archive.hpp>
 #include <solver/effects/effect.hpp>
+#include <solver/explicit/few_forces.hpp>
 #include <solver/explicit/motion.hpp>
 
 namespace palpate::explicit_shell {
@@ -31,7 +32,7 @@ struct Clamp {
 class Jaws {
  public:
   /// Places the jaws. Throws Failure(misuse): they start inside the wall, miss it, or are to stop farther apart than they start.
-  Jaws(const Clamp& clamp, const Wall& wall);
+  Jaws(const Clamp& clamp, const Wall& wall, int threads = 1);
 
   double start_gap() const { return start_gap_; }
   double gap() const { return start_gap_ - travel_; }
@@ -40,11 +41,17 @@ class Jaws {
   double motion_time() const;   ///< s, with what follows: the hold, the opening
   double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
 
+  /// Whether what it found is still all that may touch, so far as the jaws move.
+  bool has_looked() const { return std::abs(travel_ - looked_at_) < margin_ / 4; }
   /// Finds the nodes and triangles that may touch before the wall has moved by its longest edge.
   void look(const Wall& wall, const WallState& state);
   /// Adds forces on the wall's nodes within half a thickness of a face, and on those of triangles that would cut a jaw between them;
   /// `stiffness` per mass, 1/s²; `damping` of critical, never pulling.
-  void touch(const Wall& wall, const WallState& state, double stiffness, double damping, std::vector<Lanes>& force);
+  void touch(const Wall& wall, const WallState& state, double stiffness, double damping, FewForces& force);
+  /// The same in pieces: each thread its nodes, then, when all have, its triangles, and the sums.
+  void touch_nodes(const Motion::Share& share, const Wall& wall, const WallState& state, double stiffness, double damping);
+  void touch_triangles(const Motion::Share& share, const Wall& wall, double stiffness);
+  void gather(const Wall& wall, FewForces& force);
   /// What was slid at the last touch() is where friction goes on; once a step.
   void remember();
   /// Moves the upper jaw by dt; a prescribed motion goes on from `clock` by `pace` (s).
@@ -70,9 +77,16 @@ class Jaws {
     Eigen::Vector3d face;    ///< the middle of its face
     Eigen::Matrix3d frame;   ///< columns: across, along, back into the block
   };
+  /// By a jaw: of a node, or of a triangle between its nodes.
+  struct Push {
+    Eigen::Vector3d force;
+    std::array<int, 3> nodes;   ///< of a node: itself, −1, −1
+    std::array<double, 3> weights;
+    double depth;               ///< of a node
+  };
   Lanes local(const Jaw& jaw, const Lanes& x) const;  ///< seen from the middle of the block
   Eigen::Vector3d tractions_on(int jaw, int node, const tools::Distance& distance, double normal_force, double stiffness, const Wall& wall, const WallState& state);
-  void touch_between(int jaw, const Wall& wall, double stiffness, std::vector<Lanes>& force);
+  void touch_between(int jaw, int triangle, const Wall& wall, double stiffness, std::vector<Push>& pushes) const;
   tools::Distance distance(const Jaw& jaw, const Eigen::Vector3d& x) const;
 
   Clamp clamp_;
@@ -87,7 +101,8 @@ class Jaws {
   std::vector<int> touched_;
   std::array<std::vector<int>, 2> near_nodes_, near_triangles_;
   std::vector<char> is_near_;
-  std::vector<Lanes> local_;  ///< of nodes near the jaw that is being touched
+  std::array<std::vector<Lanes>, 2> local_;  ///< of nodes near a jaw, seen from it
+  std::vector<std::array<std::array<std::vector<Push>, 2>, 2>> pushes_;  ///< of each thread: of each jaw: on nodes, on triangles
   double margin_ = 0;         ///< how near that is: twice the longest edge, mm
   int through_ = -1;
   double looked_at_ = -1e30;  ///< travel when they were found

@@ -1,40 +1,79 @@
-// One step: nodes, directors, triangles, each shared among a team of threads that waits at a barrier.
+// One step: nodes, directors, triangles, each shared among a team of threads that wait for each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/explicit/motion.hpp>
 
 #include <algorithm>
-#include <barrier>
-#include <exception>
+#include <array>
+#include <atomic>
+#include <numeric>
 #include <thread>
 
 namespace palpate::explicit_shell {
 
-/// Threads that all call the same piece of work with their number, between two barriers.
+namespace {
+
+void breathe() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// A barrier whose threads look again and again for a tenth of a millisecond before they sleep: the pieces between two are hardly longer than it takes to wake one.
+class Meeting {
+ public:
+  explicit Meeting(int size) : size_(size) {}
+  void wait() {
+    const unsigned before = turn_.load(std::memory_order_acquire);
+    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+      arrived_.store(0, std::memory_order_relaxed);
+      turn_.fetch_add(1, std::memory_order_release);
+      turn_.notify_all();
+      return;
+    }
+    for (int look = 0; look < 10000; ++look, breathe())
+      if (turn_.load(std::memory_order_acquire) != before) return;
+    turn_.wait(before, std::memory_order_acquire);
+  }
+
+ private:
+  const int size_;
+  std::atomic<int> arrived_ = 0;
+  std::atomic<unsigned> turn_ = 0;
+};
+
+}  // namespace
+
+/// Threads that all call the same piece of work with their number, between two meetings.
 struct Motion::Team {
-  explicit Team(int size) : begin(size), end(size) {
+  explicit Team(int count) : meeting(count), size(count) {
     for (int t = 1; t < size; ++t)
       threads.emplace_back([this, t] {
         for (;;) {
-          begin.arrive_and_wait();
+          meeting.wait();
           if (done) return;
-          work(t);
-          end.arrive_and_wait();
+          (*work)(t);
+          meeting.wait();
         }
       });
   }
   ~Team() {
     done = true;
-    begin.arrive_and_wait();
+    meeting.wait();
     for (auto& thread : threads) thread.join();
   }
   void run(const std::function<void(int)>& f) {
-    work = f;
-    begin.arrive_and_wait();
+    work = &f;
+    meeting.wait();
     f(0);
-    end.arrive_and_wait();
+    meeting.wait();
   }
-  std::barrier<> begin, end;
-  std::function<void(int)> work;
+  /// Of `count` pieces those of thread t.
+  std::pair<int, int> share(int count, int t) const {
+    return {static_cast<int>(static_cast<long long>(count) * t / size), static_cast<int>(static_cast<long long>(count) * (t + 1) / size)};
+  }
+  Meeting meeting;  ///< also inside a piece of work, where all of them come to it
+  const int size;
+  const std::function<void(int)>* work = nullptr;
   bool done = false;
   std::vector<std::thread> threads;
 };
@@ -72,27 +111,18 @@ Motion::Motion(const Wall& wall, Holds holds, int threads, TissueForces* tissue)
 
 Motion::~Motion() = default;
 
-void Motion::phase(int count, int grain, const std::function<void(int, int)>& work) const {
-  if (!team_ || count < 4 * grain) return work(0, count);
-  const int threads = static_cast<int>(team_->threads.size()) + 1;
+void Motion::shared(const std::function<void(const Share&)>& work) const {
+  const int nodes = static_cast<int>(wall_.rest.size()), triangles = static_cast<int>(wall_.triangles.size());
+  if (!team_) return work({0, 0, nodes, 0, triangles});
   team_->run([&](int t) {
-    work(static_cast<int>(static_cast<long long>(count) * t / threads), static_cast<int>(static_cast<long long>(count) * (t + 1) / threads));
+    const auto [node, last_node] = team_->share(nodes, t);
+    const auto [triangle, last_triangle] = team_->share(triangles, t);
+    work({t, node, last_node, triangle, last_triangle});
   });
 }
 
-void Motion::together(const std::function<void()>& one, const std::function<void()>& other) const {
-  std::array<std::exception_ptr, 2> thrown;
-  const auto guarded = [&](int which) {
-    try {
-      which == 0 ? one() : other();
-    } catch (...) {
-      thrown[which] = std::current_exception();
-    }
-  };
-  if (team_) team_->run([&](int t) { if (t < 2) guarded(t); });
-  else guarded(0), guarded(1);
-  for (const auto& exception : thrown)
-    if (exception) std::rethrow_exception(exception);
+void Motion::meet() const {
+  if (team_) team_->meeting.wait();
 }
 
 void Motion::find_forces(int from, int to, double dt) {
@@ -139,13 +169,42 @@ void Motion::turn_edges(int from, int to, double dt, double dt_mid) {
   turn_directors(wall_, state, tangent_, dt, from, to);
 }
 
-void Motion::step(double dt) {
+double farthest(const std::vector<Lanes>& x, const std::vector<Lanes>& from, int first, int last) {
+  double most = 0;
+  for (int i = first; i < last; ++i) {
+    const Lanes d = x[i] - from[i];
+    most = std::max(most, dot3(d, d));
+  }
+  return most;
+}
+
+double Motion::step(double dt, const std::vector<Lanes>* from) {
   const double dt_mid = dt_before_ > 0 ? (dt_before_ + dt) / 2 : dt / 2;  // from rest, velocities begin half a step later
-  phase(static_cast<int>(wall_.rest.size()), 256, [&](int from, int to) { move_nodes(from, to, dt, dt_mid); });
-  phase(static_cast<int>(wall_.edges.size()), 256, [&](int from, int to) { turn_edges(from, to, dt, dt_mid); });
+  const int nodes = static_cast<int>(wall_.rest.size()), edges = static_cast<int>(wall_.edges.size()), packs = static_cast<int>(wall_.packs.size());
   time_ += dt;
-  phase(static_cast<int>(wall_.packs.size()), 32, [&](int from, int to) { find_forces(from, to, dt); });
+  double strayed = -1;
+  if (!team_) {
+    move_nodes(0, nodes, dt, dt_mid);
+    if (from) strayed = farthest(state.x, *from, 0, nodes);
+    turn_edges(0, edges, dt, dt_mid);
+    find_forces(0, packs, dt);
+  } else {
+    std::vector<double> strays(team_->size, -1);
+    team_->run([&](int t) {
+      const auto [node, last_node] = team_->share(nodes, t);
+      move_nodes(node, last_node, dt, dt_mid);
+      if (from) strays[t] = farthest(state.x, *from, node, last_node);
+      team_->meeting.wait();
+      const auto [edge, last_edge] = team_->share(edges, t);
+      turn_edges(edge, last_edge, dt, dt_mid);
+      team_->meeting.wait();
+      const auto [pack, last_pack] = team_->share(packs, t);
+      find_forces(pack, last_pack, dt);
+    });
+    strayed = *std::max_element(strays.begin(), strays.end());
+  }
   dt_before_ = dt;
+  return strayed;
 }
 
 /// Works are found between steps half a step on; what that adds is kept, for from rest there is no half step to carry.
@@ -188,24 +247,41 @@ Ledger Motion::ledger() const {
   return l;
 }
 
+/// In parts whose number is always the same, each by the thread that has most of it in its cache: the same sum on any number of threads.
+double Motion::sum_of(const std::function<double(double part, double next)>& sum) const {
+  constexpr int parts = 32;
+  std::array<double, parts> sums;
+  const int threads = team_ ? team_->size : 1;
+  const auto of_thread = [&](int t) {
+    for (int p = parts * t / threads; p < parts * (t + 1) / threads; ++p) sums[p] = sum(static_cast<double>(p) / parts, static_cast<double>(p + 1) / parts);
+  };
+  if (team_) team_->run(of_thread);
+  else of_thread(0);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 double Motion::kinetic() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < state.v.size(); ++i) sum += 0.5 * wall_.mass[i] * dot3(state.v[i], state.v[i]);
-  for (std::size_t e = 0; e < state.spin.size(); ++e) sum += 0.5 * wall_.inertia[e] * state.spin[e] * state.spin[e];
-  return sum;
+  return sum_of([&](double part, double next) {
+    double sum = 0;
+    const double nodes = static_cast<double>(state.v.size()), edges = static_cast<double>(state.spin.size());
+    for (auto i = static_cast<std::size_t>(part * nodes); i < static_cast<std::size_t>(next * nodes); ++i) sum += 0.5 * wall_.mass[i] * dot3(state.v[i], state.v[i]);
+    for (auto e = static_cast<std::size_t>(part * edges); e < static_cast<std::size_t>(next * edges); ++e) sum += 0.5 * wall_.inertia[e] * state.spin[e] * state.spin[e];
+    return sum;
+  });
 }
 
 double Motion::internal() const {
-  double sum = 0;
-  for (std::size_t t = 0; t < wall_.triangles.size(); ++t) sum += slots_.energy[t];
-  return sum;
+  return sum_of([&](double part, double next) {
+    const double triangles = static_cast<double>(wall_.triangles.size());
+    return std::accumulate(slots_.energy.begin() + static_cast<long>(part * triangles), slots_.energy.begin() + static_cast<long>(next * triangles), 0.0);
+  });
 }
 
 std::pair<double, int> Motion::stable() const {
   std::pair<double, int> smallest{std::numeric_limits<double>::infinity(), -1};
   std::vector<double> steps(wall_.triangles.size());
-  phase(static_cast<int>(steps.size()), 64, [&](int from, int to) {
-    for (int t = from; t < to; ++t) steps[t] = stable_step(wall_, state, t);
+  shared([&](const Share& share) {
+    for (int t = share.triangle; t < share.last_triangle; ++t) steps[t] = stable_step(wall_, state, t);
   });
   for (int t = 0; t < steps.size(); ++t)
     if (!(steps[t] >= smallest.first)) smallest = {steps[t], t};

@@ -36,6 +36,9 @@ struct Outside {
   std::vector<double> moment;
 };
 
+/// Largest square of the distance between nodes of two shapes.
+double farthest(const std::vector<Lanes>& x, const std::vector<Lanes>& from, int first, int last);
+
 class Motion {
  public:
   /// `threads` share the triangles. Forces at the start are found at once. `tissue`: or null.
@@ -46,12 +49,18 @@ class Motion {
   Outside outside;      ///< filled by the caller before step(); kept until changed
   double damping = 0;   ///< 1/s, of all velocities
 
-  /// One step of length dt (s).
-  void step(double dt);
+  /// One step of length dt (s). With `from`: the square of the farthest that a node is then from there; else negative.
+  double step(double dt, const std::vector<Lanes>* from = nullptr);
   /// Stops everything where it is; what it had counts as damping.
   void halt();
-  /// Two pieces of work that touch nothing in common, at the same time where there are threads. What either throws is thrown here, the first's first.
-  void together(const std::function<void()>& one, const std::function<void()>& other) const;
+  /// What a thread moves itself, and so has in its cache: nodes and triangles by number.
+  struct Share {
+    int thread = 0, node = 0, last_node = 0, triangle = 0, last_triangle = 0;
+  };
+  /// Each thread does its share; what it writes must be its own, and it must not throw.
+  void shared(const std::function<void(const Share&)>& work) const;
+  /// Inside of it: waits until all have come here.
+  void meet() const;
   /// Adds what tools put in during the last step.
   void add_tool_work(double work) { tool_work_ += work; }
 
@@ -73,9 +82,9 @@ class Motion {
   double inner_moment(int edge) const;  ///< by its director's angle
   void move_nodes(int from, int to, double dt, double dt_mid);
   void turn_edges(int from, int to, double dt, double dt_mid);
-  void phase(int count, int grain, const std::function<void(int, int)>& work) const;
 
   void find_forces(int from, int to, double dt);
+  double sum_of(const std::function<double(double part, double next)>& sum) const;
 
   const Wall& wall_;
   Holds holds_;

@@ -78,54 +78,87 @@ bool pierces(const Lanes& p, const Lanes& q, const Lanes& a, const Lanes& b, con
 
 }  // namespace
 
-SelfContact::SelfContact(const Wall& wall) : wall_(wall) {
+SelfContact::SelfContact(const Wall& wall, int threads) : wall_(wall), found_(threads), pushes_(threads) {
   node_area_ = node_areas(wall);
   for (double t : wall.thickness) reach_ = std::max(reach_, t);
   skin_ = reach_ / 2;
 }
 
-void SelfContact::search(const WallState& state) {
+bool SelfContact::is_out_of_date(const WallState& state, double strayed) const {
+  if (searched_at_.empty()) return true;
+  if (strayed < 0) strayed = farthest(state.x, searched_at_, 0, static_cast<int>(state.x.size()));
+  return strayed > skin_ * skin_ / 4;
+}
+
+void SelfContact::search(const Motion& motion) {
+  search(motion.state, [&](const auto& work) { motion.shared(work); });
+}
+
+void SelfContact::search(const WallState& state, const std::function<void(const std::function<void(const Motion::Share&)>&)>& share_out) {
   ++searches_;
   searched_at_ = state.x;
-  pairs_.clear();
   const double margin = reach_ + skin_;
   const Grid grid = grid_of(state.x, std::max(2 * margin, 1e-6));
-  for (int t = 0; t < wall_.triangles.size(); ++t) {
-    const auto& corners = wall_.triangles[t];
-    Lanes low, high;
-    box_of(state.x, corners, margin, low, high);
-    grid.visit(low, high, [&](int cell) {
-      for (int m = grid.start[cell]; m < grid.start[cell + 1]; ++m) {
-        const int i = grid.members[m];
-        const Lanes& p = state.x[i];
-        if (p[0] < low[0] || p[1] < low[1] || p[2] < low[2] || p[0] > high[0] || p[1] > high[1] || p[2] > high[2]) continue;
-        if (has(corners, i)) continue;
-        // what is this near at rest is the wall's own neighbourhood: its bending keeps it apart
-        const Lanes& r = wall_.rest[i];
-        const auto w0 = nearest(r, wall_.rest[corners[0]], wall_.rest[corners[1]], wall_.rest[corners[2]]);
-        if (length3(r - at(wall_.rest, corners, w0)) < 1.5 * reach_) continue;
-        const auto w = nearest(p, state.x[corners[0]], state.x[corners[1]], state.x[corners[2]]);
-        if (length3(p - at(state.x, corners, w)) < margin) pairs_.push_back({i, t});
-      }
-    });
-  }
+  share_out([&](const Motion::Share& share) {
+    auto& found = found_[share.thread];
+    found.clear();
+    for (int t = share.triangle; t < share.last_triangle; ++t) {
+      const auto& corners = wall_.triangles[t];
+      Lanes low, high;
+      box_of(state.x, corners, margin, low, high);
+      grid.visit(low, high, [&](int cell) {
+        for (int m = grid.start[cell]; m < grid.start[cell + 1]; ++m) {
+          const int i = grid.members[m];
+          const Lanes& p = state.x[i];
+          if (p[0] < low[0] || p[1] < low[1] || p[2] < low[2] || p[0] > high[0] || p[1] > high[1] || p[2] > high[2]) continue;
+          if (has(corners, i)) continue;
+          // what is this near at rest is the wall's own neighbourhood: its bending keeps it apart
+          const Lanes& r = wall_.rest[i];
+          const auto w0 = nearest(r, wall_.rest[corners[0]], wall_.rest[corners[1]], wall_.rest[corners[2]]);
+          if (length3(r - at(wall_.rest, corners, w0)) < 1.5 * reach_) continue;
+          const auto w = nearest(p, state.x[corners[0]], state.x[corners[1]], state.x[corners[2]]);
+          if (length3(p - at(state.x, corners, w)) < margin) found.push_back({i, t});
+        }
+      });
+    }
+  });
+  pairs_.clear();
+  for (const auto& found : found_) pairs_.insert(pairs_.end(), found.begin(), found.end());
   std::stable_sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.node < b.node; });
 }
 
-void SelfContact::touch(const WallState& state, const Penalty& penalty, std::vector<Lanes>& force) {
-  double moved = searched_at_.empty() ? 1e30 : 0;
-  if (moved == 0)
-    for (std::size_t i = 0; i < state.x.size(); ++i) {
-      const Lanes d = state.x[i] - searched_at_[i];
-      moved = std::max(moved, dot3(d, d));
-    }
-  if (moved > skin_ * skin_ / 4) search(state);
-  active_ = 0, area_ = 0, through_ = -1;
-  for (std::size_t first = 0, last = 0; first < pairs_.size(); first = last) {
+void SelfContact::touch(const WallState& state, const Penalty& penalty, FewForces& force) {
+  const Motion::Share all{0, 0, static_cast<int>(wall_.rest.size()), 0, static_cast<int>(wall_.triangles.size())};
+  if (is_out_of_date(state, -1)) search(state, [&](const auto& work) { work(all); });
+  touch_nodes(all, state, penalty);
+  gather(force);
+}
+
+void SelfContact::touch_nodes(const Motion::Share& share, const WallState& state, const Penalty& penalty) {
+  auto& pushes = pushes_[share.thread];
+  pushes.clear();
+  auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), share.node, [](const Pair& p, int node) { return p.node < node; });
+  while (pair != pairs_.end() && pair->node < share.last_node) {
     Near near{};
-    for (; last < pairs_.size() && pairs_[last].node == pairs_[first].node; ++last) consider(state, pairs_[last], near);
-    push_apart(state, near, penalty, force);
+    for (const int node = pair->node; pair != pairs_.end() && pair->node == node; ++pair) consider(state, *pair, near);
+    if (near.depth > 0) pushes.push_back({near, force_of(state, near, penalty)});
   }
+}
+
+/// In the order of nodes, however many threads found them.
+void SelfContact::gather(FewForces& force) {
+  active_ = 0, area_ = 0, through_ = -1;
+  for (const auto& pushes : pushes_)
+    for (const auto& [near, f] : pushes) {
+      const auto& t = wall_.triangles[near.pair.triangle];
+      const int node = near.pair.node;
+      force.add(node, f);
+      for (int k = 0; k < 3; ++k) force.add(t[k], -near.weights[k] * f);
+      if (near.depth > nearly_all * near.wanted) through_ = node;
+      ++active_;
+      area_ += node_area_[node];
+      deepest_ = std::max(deepest_, near.depth);
+    }
 }
 
 /// Of the triangles about a node the one it is deepest in: one force per node, however fine the mesh is against the wall.
@@ -139,11 +172,9 @@ void SelfContact::consider(const WallState& state, const Pair& pair, Near& near)
   if (distance > 0 && wanted - distance > near.depth) near = {pair, w, apart / distance, wanted - distance, wanted};
 }
 
-void SelfContact::push_apart(const WallState& state, const Near& near, const Penalty& penalty, std::vector<Lanes>& force) {
-  if (!(near.depth > 0)) return;
+Lanes SelfContact::force_of(const WallState& state, const Near& near, const Penalty& penalty) const {
   const auto& t = wall_.triangles[near.pair.triangle];
   const int node = near.pair.node;
-  if (near.depth > nearly_all * near.wanted) through_ = node;
   double softness = 1 / wall_.mass[node];
   for (int k = 0; k < 3; ++k) softness += near.weights[k] * near.weights[k] / wall_.mass[t[k]];
   const Lanes v = state.v[node] - at(state.v, t, near.weights);
@@ -153,11 +184,7 @@ void SelfContact::push_apart(const WallState& state, const Near& near, const Pen
     const Lanes slip = v - dot3(v, near.normal) * near.normal;
     f -= penalty.friction * normal / std::max(length3(slip), 1.0) * slip;
   }
-  force[node] += f;
-  for (int k = 0; k < 3; ++k) force[t[k]] -= near.weights[k] * f;
-  ++active_;
-  area_ += node_area_[node];
-  deepest_ = std::max(deepest_, near.depth);
+  return f;
 }
 
 int crossings(const Wall& wall, const std::vector<Lanes>& x) {

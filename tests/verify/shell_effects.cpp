@@ -155,7 +155,7 @@ struct Gripped {
 
   Lanes force_at(Jaws& jaws, const Lanes& shift) {
     for (std::size_t i = 0; i < 81; ++i) state.x[i] = wall.rest[i] + shift;  // the floor stays
-    std::vector<Lanes> force(wall.rest.size(), Lanes{});
+    FewForces force(wall.rest.size());
     jaws.look(wall, state);
     jaws.touch(wall, state, stiffness, 0, force);
     jaws.remember();

@@ -38,9 +38,11 @@ void meet(const Lanes& speed) {
   const double energy = motion.ledger().kinetic, usual = 0.7 * motion.stable().first, dt = usual / 4;  // a contact lasts a few usual steps only
   double deepest_energy = 0;
   bool touched = false;
+  FewForces force(wall.rest.size());
   for (int k = 0; motion.time() < 3 * 1.5 / (1.5 * speed[2]); ++k) {  // three times the way they have to go
-    std::fill(motion.outside.contact.begin(), motion.outside.contact.end(), Lanes{});
-    contact.touch(motion.state, {0.4 / (usual * usual), 0, 0}, motion.outside.contact);
+    force.clear();
+    contact.touch(motion.state, {0.4 / (usual * usual), 0, 0}, force);
+    for (std::size_t i = 0; i < wall.rest.size(); ++i) motion.outside.contact[i] = force[i];
     touched |= contact.touching();
     motion.step(dt);
     if (k % 80 == 0) {
