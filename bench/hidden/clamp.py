@@ -85,16 +85,15 @@ def curve(a, rig, knobs, site, gap, slower=1):
         rows = [(SCALE * slower * float(r["t[s]"]), DIAMETER - float(r["gap[mm]"]), float(r["F[N]"])) for r in csv.DictReader(file)]
     # a row's force is the mean since the row before
     rows = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, b[2]) for a, b in zip(rows, rows[1:])]
-    return sampled(still(rows, slower, "g" in knobs))
+    return sampled(still(rows, 0.1 * knobs["tau_s"] if "g" in knobs else 1e9))
 
 
-def still(rows, slower, relaxes):
-    """Without the vibrations of the explicit scheme, which no clamp shows: means over 0.4 mm of closure on either side in motion, over 0.05 s of the solver's time at rest
-    (over all of it where nothing relaxes)."""
+def still(rows, rest_s):
+    """Without the vibrations of the explicit scheme, which no clamp shows: means over 0.4 mm of closure on either side in motion, over `rest_s` at rest."""
     top, out = max(u for _, u, _ in rows), []
     phase = [0 if u < top - 1e-6 and t < rows[len(rows) // 2][0] else 2 if u < top - 1e-6 else 1 for t, u, _ in rows]
     for i, (t, u, f) in enumerate(rows):
-        near = [j for j in range(len(rows)) if phase[j] == phase[i] and (abs(rows[j][0] - t) <= (0.05 if relaxes else 1e9) * SCALE * slower if phase[i] == 1 else abs(rows[j][1] - u) <= 0.4)]
+        near = [j for j in range(len(rows)) if phase[j] == phase[i] and (abs(rows[j][0] - t) <= rest_s if phase[i] == 1 else abs(rows[j][1] - u) <= 0.4)]
         reach = min(near[-1] - i, i - near[0]) if phase[i] != 1 else len(rows)  # even on both sides, so that a slope stays
         near = [j for j in near if abs(j - i) <= reach]
         out.append((t, u, sum(rows[j][2] for j in near) / len(near)))
