@@ -39,6 +39,8 @@ struct Outside {
 /// Largest square of the distance between nodes of two shapes.
 double farthest(const std::vector<Lanes>& x, const std::vector<Lanes>& from, int first, int last);
 
+struct Team;
+
 class Motion {
  public:
   /// `threads` share the triangles. Forces at the start are found at once. `tissue`: or null.
@@ -95,8 +97,7 @@ class Motion {
   std::vector<double> edge_work_;
   double time_ = 0, dt_before_ = 0, tool_work_ = 0;
   Ledger halted_;  ///< of motions that were stopped between two steps
-  struct Team;
-  std::unique_ptr<Team> team_;
+  std::unique_ptr<Team> team_;  ///< none: one thread
 };
 
 }  // namespace palpate::explicit_shell

@@ -32,3 +32,22 @@ refused 2 'clamp closes on a tube' 's/^test = .*/test = "uniaxial"/'
 refused 2 'wall_mm' 's/^wall_mm = .*/wall_mm = 9.0/'
 refused 4 'jaws miss the tube' 's/15\]/45]/'
 refused 4 'less than twice the declared wall' 's/^diameter_mm.*/diameter_mm = 14.0/'
+refused 2 'ends' 's/^edge_mm.*/&\nends = "glued"/'
+
+# How the tube is held reaches the solver: the first case that is written says so; nothing else of this run is waited for.
+case_with() {
+  sed "$1" set.toml >held.toml
+  rm -rf kept out
+  "$bin/palpate-loop" run held.toml out --solves kept --quiet >/dev/null 2>&1 &
+  local pid=$!
+  for _ in $(seq 300); do
+    [ -z "$(find kept -name case.toml -size +0 2>/dev/null)" ] || break
+    sleep 0.1
+  done
+  sleep 0.2
+  kill -9 $pid 2>/dev/null || true
+  wait $pid 2>/dev/null || true
+  cat "$(find kept -name case.toml -print -quit)"
+}
+case_with 's/^edge_mm.*/&\nends = "fixed"/' | grep -qx 'ends = "fixed"' || { echo "the case does not say that the tube is held" >&2; exit 1; }
+if case_with '' | grep -q '^ends'; then echo "a tube that is not held is said to be" >&2; exit 1; fi
