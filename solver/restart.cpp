@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <solver/restart.hpp>
 
+#include <algorithm>
+
 #include <palpate/text_file.hpp>
 
 namespace palpate {
@@ -36,7 +38,7 @@ std::optional<std::string> Restart::read() {
   const std::string text = read_text(path_);
   const std::size_t json_at = first_line.size() + hash_size + 1, json_end = text.find('\n', std::min(json_at, text.size()));
   if (!text.starts_with(first_line) || json_end == std::string::npos ||
-      sha256_of_bytes(text.substr(json_at)) != text.substr(first_line.size(), hash_size))
+      sha256_of_bytes(std::string_view(text).substr(json_at)) != std::string_view(text).substr(first_line.size(), hash_size))
     return start_again("what a killed run left is damaged");
   const Json head = Json::parse(text.substr(json_at, json_end - json_at));
   if (head.at("run").dump() != identity_) return start_again("a killed run left its work, but of another case, mesh, option, program or number of threads");
@@ -47,13 +49,19 @@ std::optional<std::string> Restart::read() {
 
 void Restart::write(const std::function<std::string()>& bytes, const std::vector<std::string>& files) {
   const auto start = std::chrono::steady_clock::now();
-  if (!possible_ || start < next_) return;
+  const bool new_file = std::any_of(files.begin(), files.end(), [&](const std::string& name) { return !hashes_.contains(name); });
+  if (!possible_ || (start < next_ && !new_file)) return;
   const fs::path temporary = folder_ / "restart.new";
   try {
     for (const auto& name : files)
       if (!hashes_.contains(name)) hashes_[name] = sha256(folder_ / name);
-    const std::string rest = Json({{"run", Json::parse(identity_)}, {"files", hashes_}}).dump() + "\n" + bytes();
-    write_text(temporary, first_line + sha256_of_bytes(rest) + "\n" + rest);
+    const std::string head = Json({{"run", Json::parse(identity_)}, {"files", hashes_}}).dump() + "\n", kept = bytes();
+    const std::size_t json_at = first_line.size() + hash_size + 1;
+    std::string text;
+    text.reserve(json_at + head.size() + kept.size());
+    text.append(first_line).append(hash_size, ' ').append("\n").append(head).append(kept);
+    text.replace(first_line.size(), hash_size, sha256_of_bytes(std::string_view(text).substr(json_at)));
+    write_text(temporary, text);
     fs::rename(temporary, path_);
   } catch (const Failure& failure) {
     possible_ = false;

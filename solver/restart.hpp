@@ -21,8 +21,9 @@ class Restart {
   /// What write() was given last by a killed run with the same program, inputs, options and threads. Otherwise nothing, the folder is
   /// empty, and the person is told why: nothing there, something else's, damaged.
   std::optional<std::string> read();
-  /// Replaces the file, whole: killed meanwhile, the former stays. Not every time: writing takes at most a twentieth of the run. `files` of the
-  /// folder, written before, must stay as they are for the file to count. On a full disk the run goes on without.
+  /// Replaces the file, whole: killed meanwhile, the former stays. Not every time: where `files` has a new one (a frame, a mesh), and otherwise so
+  /// that writing takes at most a twentieth of the run. `files` of the folder, written before, must stay as they are for the file to count. On a
+  /// full disk the run goes on without.
   void write(const std::function<std::string()>& bytes, const std::vector<std::string>& files);
   /// Before the folder is delivered.
   void remove();

@@ -116,7 +116,7 @@ std::string sha256(const fs::path& path) {
   return hash.hex();
 }
 
-std::string sha256_of_bytes(const std::string& bytes) {
+std::string sha256_of_bytes(std::string_view bytes) {
   Sha256 hash;
   hash.add(bytes.data(), bytes.size());
   return hash.hex();

@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <palpate/json.hpp>
@@ -30,7 +31,7 @@ std::filesystem::path card_path(const std::filesystem::path& output);
 std::string sha256(const std::filesystem::path& path);
 
 /// SHA-256 in hex of these bytes.
-std::string sha256_of_bytes(const std::string& bytes);
+std::string sha256_of_bytes(std::string_view bytes);
 
 /// SHA-256 in hex of the sorted relative names of a folder's files; `except` and their cards do not count, nor does what is
 /// still being written.

@@ -17,6 +17,14 @@ std::string unit_in(const Session& s, const std::string& unit) {
   return stress && unit == "N" ? "MPa" : stress && unit == "N/s" ? "MPa/s" : unit;
 }
 
+/// What the column u of the runs is.
+std::string motion_of(const Session& s) {
+  const auto is = [&](auto what) { return std::any_of(s.problem.runs.begin(), s.problem.runs.end(), [&](std::size_t r) { return what(s.set->runs[r]); }); };
+  if (is([&](const Run& run) { return run.test == Test::indentation; })) return s.set->specimen.shape == "tube" ? "closure (mm)" : "indentation (mm)";
+  const bool sheared = is([](const Run& run) { return run.test == Test::simple_shear; }), stretched = is([](const Run& run) { return run.test != Test::simple_shear; });
+  return !sheared ? "stretch" : stretched ? "stretch, or amount of shear" : "amount of shear";
+}
+
 std::string joined(const std::vector<std::string>& words, const std::string& last) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : i + 1 == words.size() ? " " + last + " " : ", ") + words[i];
@@ -221,6 +229,7 @@ Json laws_json(const Session& s) {
 Json report_json(const Session& s, const Finding& f, int looks) {
   Json json;
   json["unit"] = unit_in(s, "N");
+  json["motion"] = motion_of(s);
   json["schema"] = "palpate-loop-report/1";
   json["specimen"] = s.set->specimen.id;
   json["law"] = s.null.model.law->name;

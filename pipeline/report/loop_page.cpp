@@ -81,12 +81,12 @@ std::vector<double> misfit(const MeasuredRun& run, const std::vector<double>& mo
   return r;
 }
 
-/// Two plots of a run, on the scales of all: force over indentation, what is left over time.
+/// Two plots of a run, on the scales of all: force over motion, what is left over time.
 std::string run_html(const Findings& findings, std::size_t index, const Unit& unit, const Json& forces, const Json& depths, const Json& rests) {
   const MeasuredRun& run = findings.runs[index];
-  const bool stretch = findings.report.value("unit", "N") == "MPa";
-  const std::string quantity = (stretch ? "stress (" : "force (") + unit.name + ")", id = "plot-run-" + std::to_string(index);
-  const Json curves = {{"kind", "lines"}, {"x", stretch ? "stretch" : "indentation (mm)"}, {"y", quantity}, {"x_range", depths}, {"y_range", forces},
+  const bool stress = findings.report.value("unit", "N") == "MPa";
+  const std::string quantity = (stress ? "stress (" : "force (") + unit.name + ")", id = "plot-run-" + std::to_string(index);
+  const Json curves = {{"kind", "lines"}, {"x", findings.report.value("motion", "")}, {"y", quantity}, {"x_range", depths}, {"y_range", forces},
                        {"series", {{{"name", "measured"}, {"style", "marks"}, {"points", points(run.u, run.measured, unit.factor)}},
                                    {{"name", "before"}, {"style", "line"}, {"points", points(run.u, run.before, unit.factor)}},
                                    {{"name", "after"}, {"style", "line"}, {"points", points(run.u, run.after, unit.factor)}}}}};
@@ -219,7 +219,7 @@ std::string laws_html(const Findings& findings) {
     for (const Json& point : law.at("first_loading")) curve.push_back({point.at(0), unit.factor * point.at(1).get<double>()});
     series.push_back({{"name", name}, {"style", "line"}, {"points", curve}});
   }
-  const Json plot = {{"kind", "lines"}, {"x", "indentation (mm)"}, {"y", "force (" + unit.name + ")"}, {"series", series}};
+  const Json plot = {{"kind", "lines"}, {"x", findings.report.value("motion", "")}, {"y", "force (" + unit.name + ")"}, {"series", series}};
   return "<p class=\"hint\">The law was left open. Each is fitted to all runs; the one that predicts runs left out best is kept, and what it still misses is what follows. "
          "The plot shows the first loading of run " + escaped(run) + ".</p>\n" +
          plot_figure("plot-laws", plot, "Laws fitted to the first loading of run " + run, "plot") + table({"law", "error, % of the largest force", "excess on runs left out"}, rows);

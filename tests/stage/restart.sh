@@ -60,7 +60,7 @@ axis = [0.1, 0.0, -1.0]
 friction = 0.4
 path = [[0, 0], [0.6, 1.6], [1.0, 1.2]]
 [steps]
-count = 50
+count = 20
 frames = 4
 TOML
 mesh=mesh.vtu
@@ -158,7 +158,7 @@ axis = [0.0, 0.0, -1.0]
 friction = 0.3
 depth_mm = 1.2
 [steps]
-count = 60
+count = 24
 frames = 6
 TOML
 mesh=large.vtu
