@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <palpate/command_card.hpp>
 
+#include <sched.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -144,9 +145,16 @@ Json card_after(const Command::State& state, double seconds) {
   return card;
 }
 
+/// That this process may use: fewer than the machine has under taskset, or where a cluster deals them out.
+int cores() {
+  cpu_set_t ours;
+  if (sched_getaffinity(0, sizeof ours, &ours) == 0) return CPU_COUNT(&ours);
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 int thread_count(const Command::State& state) {
   const long asked = state.arguments.options.at("threads").get<long>();
-  return asked > 0 ? static_cast<int>(asked) : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return asked > 0 ? static_cast<int>(asked) : cores();
 }
 
 }  // namespace palpate

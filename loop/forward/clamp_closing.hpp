@@ -11,6 +11,7 @@ inline constexpr double ahead_mm = 1.5;  ///< jaws start so much farther apart t
 /// What one solve is of.
 struct Closing {
   double edge_mm = 3, friction = 0, angle_deg = 0;
+  bool fine_folds = false;              ///< of the curve itself; what changes it is solved with coarser ones, with and without
   double from = 0, to = 0, excess = 0;  ///< of a slice, along the tube from its end
   int parameter = -1;                   ///< of the law, times 1.5
   bool works = false;                   ///< stress_works.csv as well

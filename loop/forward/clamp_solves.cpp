@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double finer[] = {0.8, 1.0, 0.9};        ///< edges over the set's: the curve is the mean of these meshes; the second is that of the changes
+constexpr double finer[] = {0.8, 1.0, 0.9};        ///< edges over the set's: the curve is the mean of these meshes
+constexpr std::size_t meshes = std::size(finer);
 constexpr double grid_mm = 0.1, smoothed_mm = 0.2; ///< of the closures; half width of the mean over vibrations
 constexpr double reach_mm = 24, slice_mm = 8;      ///< along the tube, from the jaws' middle
 constexpr double solved_MPa = 0.25;                ///< initial shear modulus of the solves: forces at rest are proportional to it, and stiffer walls come to rest sooner
@@ -35,23 +36,28 @@ Model solved_model(const Set& set) {
   return model;
 }
 
-/// Means of the samples within `smoothed_mm`, or between the neighbours where there are none.
+/// The line through the samples within `smoothed_mm`, at its middle, or between the neighbours where there are too few. Not their mean: jaws slow down where they stop, and samples crowd there.
 EvenCurve even(std::vector<std::pair<double, double>> points, double low, double high, double last) {
   std::sort(points.begin(), points.end());
   EvenCurve curve{low, grid_mm, {}};
   std::size_t from = 0;
   for (double u = low; u < high - grid_mm / 2; u += grid_mm) {
     while (from + 1 < points.size() && points[from].first < u - smoothed_mm) ++from;
-    double sum = 0;
+    double sum = 0, moved = 0, square = 0, product = 0;
     int count = 0;
-    for (std::size_t i = from; i < points.size() && points[i].first <= u + smoothed_mm; ++i) sum += points[i].second, ++count;
+    for (std::size_t i = from; i < points.size() && points[i].first <= u + smoothed_mm; ++i) {
+      const double x = points[i].first - u, F = points[i].second;
+      sum += F, moved += x, square += x * x, product += x * F;
+      ++count;
+    }
+    const double spread = count * square - moved * moved, slope = spread > 1e-6 * count * count * smoothed_mm * smoothed_mm ? (count * product - moved * sum) / spread : 0;
     const auto above = std::upper_bound(points.begin(), points.end(), std::pair(u, 1e300));
     if (count < 2 && above != points.begin() && above != points.end()) {
       const auto& [a, Fa] = *(above - 1);
       const auto& [c, Fc] = *above;
       curve.values.push_back(Fa + (Fc - Fa) * (u - a) / std::max(c - a, 1e-12));
     } else {
-      curve.values.push_back(count > 0 ? sum / count : above == points.end() ? last : 0);
+      curve.values.push_back(count > 0 ? (sum - slope * moved) / count : above == points.end() ? last : 0);
     }
   }
   curve.values.push_back(last);
@@ -90,20 +96,23 @@ EvenCurve mean_of(const std::vector<BothWays>& all, EvenCurve BothWays::*way, do
   EvenCurve mean = all[0].*way;
   for (std::size_t u = 0; u < mean.values.size(); ++u) {
     double sum = 0;
-    for (std::size_t i = 0; i < std::size(finer); ++i) sum += std::log(std::max((all[i].*way).values[u], 0.0) + small);
-    mean.values[u] = std::exp(sum / std::size(finer)) - small;
+    for (std::size_t i = 0; i < meshes; ++i) sum += std::log(std::max((all[i].*way).values[u], 0.0) + small);
+    mean.values[u] = std::exp(sum / meshes) - small;
   }
   return mean;
 }
 
 bool in_the_middle(const Bench& b, const Run& run) { return std::abs(run.point_mm[2] - b.set.specimen.size_mm[2] / 2) < 1e-6; }
 
-/// Everything that is solved of a site, in this order: the meshes, friction, angle, the law's parameters, slices.
+/// Everything that is solved of a site, in this order: the curve's meshes; with coarser folds the finest and the second of them again, and on them friction, angle, the law's parameters, slices.
+/// Friction and angle change what the wall does to itself most: they have the finest mesh.
 std::vector<Closing> jobs_of(const Bench& b, const Run& run) {
   std::vector<Closing> jobs;
-  for (double part : finer) jobs.push_back({.edge_mm = part * b.set.specimen.edge_mm, .works = jobs.empty()});
+  for (double part : finer) jobs.push_back({.edge_mm = part * b.set.specimen.edge_mm, .fine_folds = true});
+  for (double part : {finer[0], finer[1]}) jobs.push_back({.edge_mm = part * b.set.specimen.edge_mm, .works = part == finer[0]});
   for (double mu : {0.2, 0.5}) jobs.push_back({.edge_mm = finer[0] * b.set.specimen.edge_mm, .friction = mu});
-  for (double angle : {2.0, 4.0}) jobs.push_back({.edge_mm = finer[0] * b.set.specimen.edge_mm, .angle_deg = angle});
+  const double tools_width = b.set.tools.at(run.tool).width_mm, meet = 2 * std::asin(std::min(0.8 * b.stop_gap_mm() / tools_width, 1.0)) * 180 / M_PI;  // where jaws nearly touch at one end
+  for (double angle : {std::min(2.0, meet / 2), std::min(4.0, meet)}) jobs.push_back({.edge_mm = finer[0] * b.set.specimen.edge_mm, .angle_deg = angle});
   for (int i = 1; i < static_cast<int>(b.start.parameters.size()); ++i)
     if (b.start.parameters[i] > 0) jobs.push_back({.edge_mm = b.set.specimen.edge_mm, .parameter = i});
   const double length = b.set.specimen.size_mm[2], most = 0.5 * b.stop_gap_mm() / b.set.specimen.wall_mm - 1.05;  // what still fits between the jaws
@@ -132,7 +141,7 @@ std::vector<double> scatter_of(const Bench& b, const std::vector<BothWays>& all,
     const double low = form_places[p - 1] * b.deepest_mm, high = form_places[p] * b.deepest_mm;
     squares.push_back(0);
     counts.push_back(0);
-    for (std::size_t i = 0; i < std::size(finer); ++i) {
+    for (std::size_t i = 0; i < meshes; ++i) {
       const auto apart = [&](double u) { return std::log(((all[i].*way).at(u) + small) / ((mean.*way).at(u) + small)); };
       const double first = apart(low), last = apart(high);
       std::vector<double> left;
@@ -156,10 +165,9 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
   site.point_mm = run.point_mm;
   std::vector<BothWays> all;
   for (const auto& result : results) all.push_back(curves_of(b, result));
-  const BothWays& coarse = all[1];  // friction and angle change what the wall does to itself most: they have the finest mesh
   site.force = {mean_of(all, &BothWays::closing, small), mean_of(all, &BothWays::opening, small)};
   const auto change = [&](std::size_t i) {
-    const BothWays& without = jobs[i].edge_mm == jobs[0].edge_mm ? all[0] : coarse;
+    const BothWays& without = all[jobs[i].edge_mm == jobs[meshes].edge_mm ? meshes : meshes + 1];
     return BothWays{log_change(all[i].closing, without.closing, small), log_change(all[i].opening, without.opening, small)};
   };
   site.scatter = {scatter_of(b, all, site.force, &BothWays::closing, small, rough), scatter_of(b, all, site.force, &BothWays::opening, small, rough)};
@@ -167,10 +175,10 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
   for (const auto way : {&BothWays::closing, &BothWays::opening})
     for (double place : form_places) {
       const double u = place * b.deepest_mm, mean = (site.force.*way).at(u) + small;
-      for (std::size_t i = 0; i < std::size(finer); ++i) apart(row, static_cast<Eigen::Index>(i)) = std::log((std::max((all[i].*way).at(u), 0.0) + small) / mean);
+      for (std::size_t i = 0; i < meshes; ++i) apart(row, static_cast<Eigen::Index>(i)) = std::log((std::max((all[i].*way).at(u), 0.0) + small) / mean);
       ++row;
     }
-  for (std::size_t i = std::size(finer); i < jobs.size(); ++i) {
+  for (std::size_t i = meshes + 2; i < jobs.size(); ++i) {
     const Closing& job = jobs[i];
     Change* of = job.friction > 0 ? &site.friction : &site.angle;
     double amplitude = job.friction > 0 ? job.friction : job.angle_deg;
@@ -192,7 +200,7 @@ ClampSite site_of(const Bench& b, const Run& run, const std::vector<Closing>& jo
       const double length = b.set.specimen.size_mm[2];
       if (half.from + half.to < length - 1e-6) site.slices.push_back({length - half.to, length - half.from, half.thicker});
     }
-  const CsvTable works = read_csv(results[0] / "stress_works.csv");
+  const CsvTable works = read_csv(results[meshes] / "stress_works.csv");
   const auto depth = works.numbers("depth", "mm");
   const auto n = static_cast<Eigen::Index>(depth.size());
   site.works.resize(n, n);
@@ -232,7 +240,7 @@ ClampCurves clamp_curves(const Set& set, const fs::path& kept, int threads, cons
   curves.small_N = small_share * *std::max_element(first.values.begin(), first.values.end());
   curves.deepest_mm = deepest;
   const auto of_site = static_cast<Eigen::Index>(forms_of_site);
-  Eigen::MatrixXd apart(of_site * static_cast<Eigen::Index>(places.size()), std::size(finer));
+  Eigen::MatrixXd apart(of_site * static_cast<Eigen::Index>(places.size()), meshes);
   Rough rough;
   auto at = results.begin();
   for (const Run* run : places) {

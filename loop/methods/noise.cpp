@@ -18,23 +18,30 @@ double prior_sd(int direction) {
   return direction == 0 ? thresholds::prior_gain_sd : direction == 1 ? thresholds::prior_offset_sd : thresholds::prior_drift_sd / (direction - 1);
 }
 
-/// Blocks become independent: x_b − ρ x_{b−1}.
-void decorrelate(double rho, Eigen::Ref<MatrixXd> x) {
-  if (rho == 0) return;
-  const double scale = 1 / std::sqrt(1 - rho * rho);
-  for (int b = static_cast<int>(x.rows()) - 1; b > 0; --b) x.row(b) = scale * (x.row(b) - rho * x.row(b - 1));
+/// Blocks become independent: x_b − ρ_b x_{b−1}.
+void decorrelate(const VectorXd& rho, Eigen::Ref<MatrixXd> x) {
+  for (Eigen::Index b = x.rows() - 1; b > 0; --b)
+    if (rho(b) != 0) x.row(b) = (x.row(b) - rho(b) * x.row(b - 1)) / std::sqrt(1 - rho(b) * rho(b));
 }
-void correlate(double rho, Eigen::Ref<MatrixXd> x) {
-  if (rho == 0) return;
-  const double scale = std::sqrt(1 - rho * rho);
-  for (int b = 1; b < x.rows(); ++b) x.row(b) = scale * x.row(b) + rho * x.row(b - 1);
+void correlate(const VectorXd& rho, Eigen::Ref<MatrixXd> x) {
+  for (Eigen::Index b = 1; b < x.rows(); ++b)
+    if (rho(b) != 0) x.row(b) = std::sqrt(1 - rho(b) * rho(b)) * x.row(b) + rho(b) * x.row(b - 1);
+}
+
+/// What each block shares with the one before: a solved curve's own scatter does, a sensor's does not, so the share is that of the curve in the two
+/// (antedependence of order one: Gabriel 1962, Ann. Math. Stat. 33:201).
+VectorXd correlations(const NoiseShape& shape, const Noise& noise, const VectorXd& sd) {
+  VectorXd rho = VectorXd::Constant(sd.size(), noise.correlation);
+  for (Eigen::Index b = 1; b < sd.size(); ++b) rho(b) = std::max(rho(b), shape.curve_correlation * shape.curve(b) * shape.curve(b - 1) / (sd(b) * sd(b - 1)));
+  return rho;
 }
 
 }  // namespace
 
-Whitener::Whitener(const NoiseShape& shape, const Noise& noise) : rho_(noise.correlation) {
+Whitener::Whitener(const NoiseShape& shape, const Noise& noise) {
   const double scatter = noise.scatter * shape.largest_N;
   sd_ = (noise.sensor_sd * noise.sensor_sd * shape.samples.cwiseInverse().array() + scatter * scatter + shape.corner.array().square() + shape.curve.array().square()).sqrt();
+  rho_ = correlations(shape, noise, sd_);
   MatrixXd Z = shape.Q;
   for (int j = 0; j < Z.cols(); ++j) Z.col(j) *= noise.sd[j] * shape.scale(j);
   variance_ = (sd_.squaredNorm() + Z.squaredNorm()) / sd_.size();
@@ -112,6 +119,7 @@ NoiseShape noise_shape(const Forward& forward, std::size_t run, const VectorXd& 
   shape.samples = forward.samples_per_block(run);
   shape.corner = corners(forward, run);
   shape.curve = forward.curve_scatter(run);
+  shape.curve_correlation = forward.set().clamp_correlation;
   shape.largest_N = std::max(F.cwiseAbs().maxCoeff(), 1e-12);
   MatrixXd B(n, noise_directions);
   B.col(0) = predicted + smoothed(forward, run, F - predicted);

@@ -20,6 +20,7 @@ struct NoiseShape {
   Eigen::VectorXd samples; ///< in each block
   Eigen::VectorXd corner;  ///< what a block's mean may be off where the force turns between two samples, N
   Eigen::VectorXd curve;   ///< fast scatter that a solved curve has of its own, N
+  double curve_correlation = 0;  ///< of that, from block to block
   double largest_N = 1;
 };
 
@@ -42,8 +43,8 @@ class Whitener {
   void whiten_fast(Eigen::Ref<Eigen::MatrixXd> x) const;
 
  private:
-  Eigen::VectorXd sd_;
-  double rho_, variance_;
+  Eigen::VectorXd sd_, rho_;
+  double variance_;
   Eigen::MatrixXd U_;
   Eigen::VectorXd shrink_, grow_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
 #include <palpate/errors.hpp>
 #include <loop/forward/register.hpp>
@@ -17,9 +18,30 @@ namespace palpate::loop {
 
 using Eigen::VectorXd;
 
+namespace {
+
+/// Parameters that the set itself gives belong to the law and lie in its ranges; those of a case are the solver's to judge.
+void expect_parameters(const Set& set, const Law& law) {
+  if (!set.specimen.case_file.empty() || law.name != set.specimen.law) return;
+  for (const auto& [name, value] : set.specimen.parameters) {
+    const auto known = std::find_if(law.parameters.begin(), law.parameters.end(), [&](const Parameter& p) { return p.name == name; });
+    std::string names;
+    for (const Parameter& p : law.parameters) names += (names.empty() ? "" : ", ") + p.name;
+    if (known == law.parameters.end()) throw Failure(ExitCode::misuse, "the law " + law.name + " has no parameter " + name, set.file.string() + ", [specimen] parameters", "its own: " + names);
+    if (value < known->range.min || value > known->range.max) {
+      std::ostringstream text;
+      text << name << " = " << value << " lies outside of " << known->range.min << " to " << known->range.max << " " << known->unit;
+      throw Failure(ExitCode::misuse, text.str(), set.file.string() + ", [specimen] parameters", "a start within it; the fit goes on from there");
+    }
+  }
+}
+
+}  // namespace
+
 Model start_model(const Set& set, const std::string& law) {
   Model model;
   model.law = &law_named(law);
+  expect_parameters(set, *model.law);
   for (const Parameter& p : model.law->parameters) {
     const auto given = set.specimen.parameters.find(p.name);
     model.parameters.push_back(given == set.specimen.parameters.end() ? p.typical : std::clamp(given->second, p.range.min, p.range.max));
@@ -130,6 +152,7 @@ Fit best_fit(const Problem& p, const Model& start) {
       if (zero_room == 0) break;
     }
   }
+  if (!best.model.law) throw Failure(ExitCode::not_converged, "the law " + start.law->name + " cannot be fitted: its misfit is no number", p.forward->set().file.string(), "palpate-loop check, and the runs' units");
   return best;
 }
 
@@ -215,8 +238,7 @@ void noise_around(Session& s, const Model& model, double sensor_sd) {
     of_run.push_back(left.data.col(0).segment(begin, s.forward->blocks(run)));
     begin += s.forward->blocks(run);
   }
-  Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
-  noise.correlation = std::max(noise.correlation, s.set->clamp_correlation);
+  const Noise noise = estimate_noise(s.shapes, of_run, s.group, sensor_sd);
   set_noise(s, noise.replicate_degrees > 0 ? noise : unrepeated_noise(sensor_sd));
 }
 

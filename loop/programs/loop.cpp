@@ -39,6 +39,7 @@ loop::Set sound_set(Command& c) {
   loop::Set set = loop::read_set(c.input("set"));
   for (const loop::Run& run : set.runs) c.add_input("run " + run.id, run.file);
   if (!set.specimen.case_file.empty()) c.add_input("case", set.specimen.case_file);
+  if (set.specimen.law != "unknown") loop::start_model(set, set.specimen.law);  // refuses a law that is none, and parameters that are not its own
   const auto list = loop::faults(set);
   std::string rest;
   for (std::size_t i = 1; i < list.size(); ++i) rest += "\n  also:  " + list[i];
@@ -110,7 +111,7 @@ void run_of_blindspots(Command& c) {
   loop::Finding finding;
   finding.candidates = loop::candidates_of(set);
   finding.blind_spots = loop::blind_spots(session, finding.candidates);
-  c.print(loop::blind_spots_json(finding).dump(2));
+  c.print(loop::blind_spots_json(session, finding).dump(2));
 }
 
 void usage_of_fit(Usage& u) {
@@ -261,6 +262,7 @@ void run_of_run(Command& c) {
   loop::Confirmation confirmation = confirmed(c, s);
   loop::take_size(s.session, s.finding, confirmation);
   Json report = loop::report_json(s.session, s.finding, earlier_looks(c.final_output("result") / "report.json"));
+  report["version"] = PALPATE_VERSION;
   report["set"] = {{"file", set.file.filename().string()}, {"sha256", sha256(set.file)}};
   const int others = confirmation.solves + s.session.forward->clamp_solves();
   report["solves"] = std::accumulate(curves.begin(), curves.end(), others, [](int sum, const loop::SiteCurve& curve) { return sum + curve.solves; });

@@ -119,8 +119,9 @@ std::string case_file(const Session& s, const Model& model) {
   for (std::size_t r : s.problem.runs) {
     const Run& run = s.set->runs[r];
     if (run.role != Role::fit || run.test != Test::indentation) continue;
+    const double measured = run.timed ? loading_rate(run) : 0, speed = run.rate_mm_s > 0 ? run.rate_mm_s : measured > 0 ? measured : 1;
     std::ostringstream motion;
-    motion << "depth_mm = " << *std::max_element(run.u.begin(), run.u.end()) << "\nspeed_mm_s = " << (run.rate_mm_s > 0 ? run.rate_mm_s : 1.0) << "\n[steps]\ncount = 20\n";
+    motion << "depth_mm = " << *std::max_element(run.u.begin(), run.u.end()) << "\nspeed_mm_s = " << speed << "\n[steps]\ncount = 20\n";
     return "# Written by palpate-loop: the set's specimen with what the loop found.\n" + case_text(s, model, run, motion.str());
   }
   return "";

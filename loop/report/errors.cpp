@@ -22,14 +22,30 @@ double noise_floor(const Session& s) {
   return std::sqrt(sum / std::max(count, 1));
 }
 
+namespace {
+
+/// Mean squares of a run's tenths, one after the other: neighbours go together, as they are correlated (Künsch 1989, Ann. Stat. 17:1217).
+std::vector<double> parts_of(const VectorXd& left) {
+  const Eigen::Index count = std::min<Eigen::Index>(10, left.size());
+  std::vector<double> parts;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Index first = k * left.size() / count, last = (k + 1) * left.size() / count;
+    parts.push_back(left.segment(first, last - first).squaredNorm() / static_cast<double>(last - first));
+  }
+  return parts;
+}
+
+}  // namespace
+
 ErrorOf error_of(const Session& s, const Model& model, Role role, const std::string& only) {
-  std::vector<double> square, percent_square;
+  std::vector<double> square, percent_square, parts;
   for (std::size_t r = 0; r < s.set->runs.size(); ++r) {
     const Run& run = s.set->runs[r];
     if (run.role != role || (!only.empty() && run.id != only)) continue;
     const VectorXd left = s.forward->measured(r) - s.forward->predicted(r, model);
     const double largest = std::max(s.forward->measured(r).cwiseAbs().maxCoeff(), 1e-12);
     square.push_back(left.squaredNorm() / left.size());
+    parts = parts_of(left);
     percent_square.push_back(square.back() * 1e4 / (largest * largest));
   }
   ErrorOf error;
@@ -43,11 +59,12 @@ ErrorOf error_of(const Session& s, const Model& model, Role role, const std::str
   error.rms_N = std::sqrt(mean(square));
   error.percent = std::sqrt(mean(percent_square));
   error.times_noise = error.rms_N / std::max(noise_floor(s), 1e-300);
+  if (error.runs > 1) parts = square;
   std::mt19937_64 random(1);
   std::vector<double> drawn;
   for (int d = 0; d < 1000; ++d) {
     double sum = 0;
-    for (std::size_t i = 0; i < square.size(); ++i) sum += square[random() % square.size()] / square.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) sum += parts[random() % parts.size()] / static_cast<double>(parts.size());
     drawn.push_back(std::sqrt(sum));
   }
   std::sort(drawn.begin(), drawn.end());
@@ -107,8 +124,9 @@ std::vector<Sample> samples_of(const Session& s, const Model& model) {
     const std::vector<double> cycle(run.cycle.begin(), run.cycle.end());
     const VectorXd cycles = cycle.empty() ? VectorXd::Zero(left.size()) : s.forward->averaged(r, cycle);
     for (int b = 0; b < left.size(); ++b) {
-      const double rate = b > 0 && t(b) > t(b - 1) ? std::abs(u(b) - u(b - 1)) / (t(b) - t(b - 1)) : 0;
-      all.push_back({run.id, s.forward->phase_of(r, b), static_cast<int>(std::lround(cycles(b))), left(b), white(b, 0), u(b), rate});
+      const double moved = b > 0 ? std::abs(u(b) - u(b - 1)) : 0, rate = moved > 1e-9 * u.cwiseAbs().maxCoeff() && t(b) > t(b - 1) ? moved / (t(b) - t(b - 1)) : 0;
+      const double depth = run.test == Test::indentation ? u(b) : std::abs(u(b) - motion_at_rest(run.test));
+      all.push_back({run.id, s.forward->phase_of(r, b), static_cast<int>(std::lround(cycles(b))), left(b), white(b, 0), depth, rate});
     }
   }
   return all;

@@ -8,7 +8,7 @@ namespace palpate::loop {
 
 struct ErrorOf {
   double rms_N = 0, percent = 0, times_noise = 0;
-  double low_N = 0, high_N = 0;  ///< 95 %, by resampling runs; equal to rms_N for one run
+  double low_N = 0, high_N = 0;  ///< 95 %, by resampling runs, or the tenths of a single one
   int runs = 0;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 std::string unit_in(const Session& s, const std::string& unit) {
   const bool stress = s.set->runs[s.problem.runs.front()].test != Test::indentation;
-  return stress && unit == "N" ? "MPa" : stress && unit == "N/s" ? "MPa/s" : unit;
+  return stress && (unit == "N" || unit == "N/s" || unit == "N^-1") ? "MPa" + unit.substr(1) : unit;
 }
 
 /// What the column u of the runs is.
@@ -64,13 +64,13 @@ Json noise_json(const Session& s) {
           {"drift_sd_relative", s.noise.sd[2]}, {"replicate_degrees", s.noise.replicate_degrees}, {"floor", noise_floor(s)}};
 }
 
-Json blind_spots_json(const Finding& f) {
+Json blind_spots_json(const Session& s, const Finding& f) {
   Json list = Json::array();
   for (const BlindSpot& b : f.blind_spots) {
     const Candidate& c = f.candidates[b.candidate];
     Json like = Json::array();
     for (int other : b.like) like.push_back(f.candidates[other].effect->entry.name);
-    list.push_back({{"effect", c.effect->entry.name}, {"parameter", c.effect->entry.parameters[0].name}, {"unit", c.effect->entry.parameters[0].unit},
+    list.push_back({{"effect", c.effect->entry.name}, {"parameter", c.effect->entry.parameters[0].name}, {"unit", unit_in(s, c.effect->entry.parameters[0].unit)},
                     {"smallest_visible", finite_or_null(b.smallest_visible)}, {"largest_plausible", c.largest()}, {"visible", b.visible},
                     {"told", b.visible ? "" : "your protocol cannot see this"}, {"cannot_be_told_from", like}});
   }
@@ -79,7 +79,7 @@ Json blind_spots_json(const Finding& f) {
   return list;
 }
 
-Json candidates_json(const Finding& f) {
+Json candidates_json(const Session& s, const Finding& f) {
   Json list = Json::array();
   for (std::size_t step = 0; step < f.steps.size(); ++step)
     for (const Tried& t : f.steps[step]) {
@@ -90,7 +90,7 @@ Json candidates_json(const Finding& f) {
         json["p"] = t.p;
         json["amplitude"] = t.fit.model.active.back().amplitude;
         json["shape"] = t.fit.model.active.back().shape;
-        json["unit"] = e.entry.parameters[0].unit;
+        json["unit"] = unit_in(s, e.entry.parameters[0].unit);
         json["left_out_fall"] = finite_or_null(t.left_out_fall);
       }
       json["reason"] = t.reason;
@@ -155,7 +155,7 @@ std::string sentence(const Session& s, const Finding& f) {
                (sets.empty() ? std::string() : " The nearest effect is " + sets.front() + ", which is not claimed.") + " The error is " + percent(after.percent) + " of the largest force.";
       return "The measurements differ from the model by more than noise, and nothing in the catalogue explains it" +
              (sets.empty() ? std::string(".") : "; nearest is " + sets.front() + ".") + " The error is " + percent(after.percent) + " of the largest force.";
-    case VerdictKind::nothing_supported: return "The model agrees with the measurements: no missing effect is supported. The error is " + percent(before.percent) + " of the largest force.";
+    case VerdictKind::nothing_supported: return "The model agrees with the measurements as far as these agree among themselves: no missing effect is supported. The error is " + percent(before.percent) + " of the largest force.";
     case VerdictKind::ranking_only:
       return "There are no replicates, so nothing is claimed" + (sets.empty() ? "; no candidate stands out." : "; first in the ranking is " + sets.front() + "." + errors);
   }
@@ -178,7 +178,7 @@ Json verdict_json(const Session& s, const Finding& f) {
 
 Json diagnosis_json(const Session& s, const Finding& f) {
   return {{"verdict", verdict_json(s, f)}, {"residuals", {{"before", residual_table(s, f.reported_before)}, {"after", residual_table(s, f.reported_after)}}},
-          {"candidates", candidates_json(f)}, {"oddities", oddities_json(f)}, {"parameters", parameters_json(s, f.final)}, {"sealed_looks", 0}};
+          {"candidates", candidates_json(s, f)}, {"oddities", oddities_json(f)}, {"parameters", parameters_json(s, f.final)}, {"sealed_looks", 0}};
 }
 
 Json validation_json(const Session& s, const Finding& f, int looks) {
@@ -241,8 +241,8 @@ Json report_json(const Session& s, const Finding& f, int looks) {
   json["error"]["of"] = "the models fitted with every block of a run weighing the same";
   json["parameters_before"] = parameters_json(s, s.null);
   json["noise"] = noise_json(s);
-  json["candidates"] = candidates_json(f);
-  json["blind_spots"] = blind_spots_json(f);
+  json["candidates"] = candidates_json(s, f);
+  json["blind_spots"] = blind_spots_json(s, f);
   json["next_experiment"] = next_experiment(s, f);
   json["misfit"] = {{"structure_before", f.structure_before}, {"structure_after", f.structure_after}, {"limit", f.structure_limit},
                     {"chi2_before", s.null.chi2}, {"chi2_after", f.final.chi2}};

@@ -8,8 +8,8 @@
 namespace palpate::loop {
 
 Json noise_json(const Session& session);
-Json blind_spots_json(const Finding& finding);
-Json candidates_json(const Finding& finding);
+Json blind_spots_json(const Session& session, const Finding& finding);
+Json candidates_json(const Session& session, const Finding& finding);
 /// Value, 95 % interval, unit of every fitted number.
 Json parameters_json(const Session& session, const Fit& fit);
 /// The cheapest run that separates what is left; free ones first.

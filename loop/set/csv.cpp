@@ -30,6 +30,9 @@ std::vector<std::string> cells_of(const std::string& line) {
 /// "F[N]" → name F and unit N.
 std::vector<std::string> read_header(CsvTable& table, const std::string& line, int number) {
   std::vector<std::string> names;
+  for (const char other : {';', '\t'})
+    if (line.find(other) != std::string::npos)
+      unreadable(table.file, number, std::string("columns are parted by commas here, and the header has ") + (other == ';' ? "semicolons" : "tabs"), "commas between columns, points in numbers: t[s],u[mm],F[N]");
   for (const std::string& cell : cells_of(line)) {
     const auto open = cell.find('['), close = cell.find(']');
     const bool has_unit = open != std::string::npos && close != std::string::npos && close > open;
@@ -58,7 +61,7 @@ CsvTable read_csv(const std::filesystem::path& path) {
     }
     const auto cells = cells_of(line);
     if (cells.size() != names.size())
-      unreadable(path, number, std::to_string(cells.size()) + " cells in a row of a table with " + std::to_string(names.size()) + " columns");
+      unreadable(path, number, std::to_string(cells.size()) + " cells in a row of a table with " + std::to_string(names.size()) + " columns", "as many cells as the header has; a decimal comma counts as two");
     for (std::size_t i = 0; i < names.size(); ++i) table.text[names[i]].push_back(cells[i]);
     table.line.push_back(number);
   }

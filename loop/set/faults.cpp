@@ -1,4 +1,4 @@
-// What makes a set unfit: time, numbers, signs, gaps, runs mixed up, tools that cannot touch.
+// What makes a set unfit: time, numbers, signs, gaps, runs mixed up, replicates that are none, tools that cannot touch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <loop/set/set.hpp>
 
@@ -55,7 +55,7 @@ void gaps(const Run& run, std::vector<std::string>& list) {
 /// The force should rise with depth: flipped when it is mostly negative and falls while the tool goes in.
 void sign(const Run& run, std::vector<std::string>& list) {
   if (run.is_air() || run.is_block()) return;
-  const double rest = run.test == Test::indentation || run.test == Test::simple_shear ? 0 : 1;
+  const double rest = motion_at_rest(run.test);
   double together = 0, lowest = 0, highest = 0;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < run.u.size(); ++i) {
@@ -71,33 +71,81 @@ void sign(const Run& run, std::vector<std::string>& list) {
                    (run.test == Test::indentation ? "compression is positive" : "tension is positive"));
 }
 
-double measured_rate(const Run& run) {
-  std::vector<double> rates;
-  for (std::size_t i = 1; i < run.u.size(); ++i)
-    if (run.phase[i] == "load") rates.push_back((run.u[i] - run.u[i - 1]) / (run.t[i] - run.t[i - 1]));
-  if (rates.size() < 3) return 0;
-  std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
-  return rates[rates.size() / 2];
-}
-
 bool differs(double a, double b) { return a > 0 && b > 0 && std::abs(std::log(a / b)) > 0.4; }
 
-/// Rates that do not fit their files but fit each other's: swapped. Files with the same numbers: one copied over the other.
+/// Files with the same numbers: one copied over the other.
+void copied(const Set& set, std::vector<std::string>& list) {
+  for (std::size_t i = 0; i < set.runs.size(); ++i)
+    for (std::size_t j = i + 1; j < set.runs.size(); ++j)
+      if (const Run &a = set.runs[i], &b = set.runs[j]; a.u == b.u && a.F == b.F) list.push_back(b.file.string() + ":1: holds the same numbers as " + a.file.string() + "; one was copied over the other");
+}
+
+double largest_motion(const Run& run) {
+  double largest = 0;
+  for (double u : run.u) largest = std::max(largest, std::abs(u - motion_at_rest(run.test)));
+  return largest;
+}
+
+/// The largest force up to a motion.
+double force_up_to(const Run& run, double motion) {
+  double force = 0;
+  for (std::size_t i = 0; i < run.u.size(); ++i)
+    if (std::abs(run.u[i] - motion_at_rest(run.test)) <= motion) force = std::max(force, std::abs(run.F[i]));
+  return force;
+}
+
+/// What two runs must share to be one experiment twice; empty: nothing lacks. Their scatter is the noise by which all is judged.
+std::string not_the_same(const Run& a, const Run& b) {
+  constexpr double most_apart = 3;  ///< of forces at the same motion
+  if (a.test != b.test) return "one is " + test_name(a.test) + ", the other " + test_name(b.test);
+  if (a.tool != b.tool) return "one has the tool " + a.tool + ", the other " + b.tool;
+  if (norm(a.point_mm - b.point_mm) > 1e-3) return "they are at two places";
+  if (const double of_a = loading_rate(a), of_b = loading_rate(b); a.timed && b.timed && differs(of_a, of_b))
+    return "one loads at " + number(of_a) + " per second, the other at " + number(of_b);
+  const double motion = std::min(largest_motion(a), largest_motion(b)), of_a = force_up_to(a, motion), of_b = force_up_to(b, motion);
+  if (std::max(of_a, of_b) > most_apart * std::min(of_a, of_b)) return "their largest forces at the same motion are " + number(of_a) + " and " + number(of_b) + "; are the units right?";
+  return "";
+}
+
+void replicates(const Set& set, std::vector<std::string>& list) {
+  for (std::size_t j = 0; j < set.runs.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) {
+      const Run &a = set.runs[i], &b = set.runs[j];
+      if (b.replicate.empty() || a.replicate != b.replicate || a.role == Role::calibration || b.role == Role::calibration) continue;
+      const std::string why = not_the_same(a, b);
+      if (why.empty()) continue;
+      list.push_back(set.file.string() + ": runs " + a.id + " and " + b.id + " are no replicates, as \"" + b.replicate + "\" says: " + why + "; give what is another experiment another replicate");
+      break;
+    }
+}
+
+/// Rates that do not fit their files but fit each other's: swapped.
 void mixed_up(const Set& set, std::vector<std::string>& list) {
   for (std::size_t i = 0; i < set.runs.size(); ++i) {
     const Run& a = set.runs[i];
     if (a.test != Test::indentation) continue;
-    const double of_a = measured_rate(a);
+    const double of_a = loading_rate(a);
     std::string other;
     for (std::size_t j = 0; j < set.runs.size(); ++j) {
       const Run& b = set.runs[j];
-      if (j > i && a.u == b.u && a.F == b.F) list.push_back(b.file.string() + ":1: holds the same numbers as " + a.file.string() + "; one was copied over the other");
-      if (j != i && differs(a.rate_mm_s, of_a) && differs(b.rate_mm_s, measured_rate(b)) && !differs(a.rate_mm_s, measured_rate(b))) other = b.id;
+      if (j != i && differs(a.rate_mm_s, of_a) && differs(b.rate_mm_s, loading_rate(b)) && !differs(a.rate_mm_s, loading_rate(b))) other = b.id;
     }
     if (differs(a.rate_mm_s, of_a))
       list.push_back(a.file.string() + ":1: run " + a.id + " should load at " + number(a.rate_mm_s) + " mm/s but does at " + number(of_a) +
                      (other.empty() ? " mm/s; correct rate_mm_s" : " mm/s, as " + other + " should: the two runs are swapped"));
   }
+}
+
+/// A homogeneous test: stretches are lengths over the length at rest, and something resists.
+void stretched(const Run& run, std::vector<std::string>& list) {
+  if (run.test == Test::indentation) return;
+  constexpr double most = 30;  ///< stretch, or amount of shear: three times what rubber bears
+  for (std::size_t i = 0; i < run.u.size(); ++i)
+    if (run.test != Test::simple_shear ? !(run.u[i] > 0 && run.u[i] < most) : !(std::abs(run.u[i]) < most)) {
+      list.push_back(at(run, i) + (run.test == Test::simple_shear ? "an amount of shear of " : "a stretch of ") + number(run.u[i]) + "; a stretch is the length over that at rest, 1 there, and not in percent");
+      return;
+    }
+  if (std::all_of(run.F.begin(), run.F.end(), [](double P) { return P == 0; })) list.push_back(at(run, 0) + "no stress but zero in the whole run; is it the right column?");
 }
 
 /// A simple shape stands on z = 0 around the axis z; a tool must meet it along its own axis.
@@ -113,6 +161,8 @@ void touch(const Set& set, const Run& run, std::vector<std::string>& list) {
     return;
   }
   if (set.specimen.shape.empty()) return;
+  if (const double deepest = *std::max_element(run.u.begin(), run.u.end()), height = set.specimen.size_mm[2]; run.zero == "geometry" && deepest >= height)
+    list.push_back(set.file.string() + ": run " + run.id + ": the tool goes " + number(deepest) + " mm into a specimen that is " + number(height) + " mm high; is the height right, or u counted from elsewhere (zero)?");
   const double x = run.point_mm[0], y = run.point_mm[1], radius = set.tools.at(run.tool).radius_mm;
   const bool box = set.specimen.shape == "block";
   const double beyond = box ? std::max(std::abs(x) - set.specimen.size_mm[0] / 2, std::abs(y) - set.specimen.size_mm[1] / 2)
@@ -135,9 +185,13 @@ std::vector<std::string> faults(const Set& set) {
     if (!fit) continue;
     gaps(run, list);
     sign(run, list);
+    stretched(run, list);
     touch(set, run, list);
   }
-  if (sound) mixed_up(set, list);
+  if (!sound) return list;
+  mixed_up(set, list);
+  copied(set, list);
+  replicates(set, list);
   return list;
 }
 

@@ -109,7 +109,7 @@ void read_homogeneous(const Settings& s, const CsvTable& table, Run& run) {
   const Range mm{1e-6, 1e6};
   const double length = s.real("gauge_length_mm", mm);
   const double area = s.has("area_mm2") ? s.real("area_mm2", mm) : s.real("width_mm", mm) * s.real("thickness_mm", mm);
-  const double rest = run.test == Test::simple_shear ? 0 : 1;
+  const double rest = motion_at_rest(run.test);
   for (double u : table.numbers("u", "mm")) run.u.push_back(rest + u / length);
   for (double F : table.numbers("F", "N")) run.F.push_back(F / area);
 }
@@ -166,6 +166,14 @@ void read_over(const Settings& s, const std::vector<std::string>& known, Set& se
   }
 }
 
+Tool read_tool(const Settings& s) {
+  const std::string kind = s.text("kind");
+  for (const std::string name : {"ball", "flat_punch", "jaws"})
+    if (kind != name && edits(kind, name) <= 2) throw Failure(ExitCode::misuse, "no tool is called " + kind, s.where("kind"), "did you mean " + name + "?");
+  if (kind == "jaws") return {kind, 0, s.real("width_mm", 40, {1e-3, 1e3}), s.real("length_mm", 10, {1e-3, 1e3})};
+  return {kind, s.real("radius_mm", {1e-3, 1e3})};
+}
+
 /// Tools that no closed form knows.
 void mark_unusable(Set& set) {
   for (Run& run : set.runs) {
@@ -194,6 +202,8 @@ Run read_run(const Settings& s, Set& set, int number) {
     for (const auto& [name, tool] : set.tools) names.push_back(name);
     if (names.empty()) throw Failure(ExitCode::misuse, "an indentation without a tool", s.where(), "[tool.NAME] kind = \"ball\", radius_mm");
     run.tool = s.has("tool") || names.size() > 1 ? s.choice("tool", names) : names.front();
+    if (set.specimen.shape == "tube" && set.tools.at(run.tool).kind != "jaws")
+      throw Failure(ExitCode::misuse, "a tube is clamped by jaws, not by a " + set.tools.at(run.tool).kind, s.where(), "[tool.NAME] kind = \"jaws\"");
     run.point_mm = s.vec3("point_mm", {0, 0, set.specimen.size_mm[2]});
     const Vec3 axis = s.vec3("axis", set.specimen.shape == "tube" ? Vec3{0, -1, 0} : Vec3{0, 0, -1});
     if (!(norm(axis) > 0)) throw Failure(ExitCode::misuse, "an axis without direction", s.where("axis"), "the way that the tool goes, such as [0, 0, -1]");
@@ -222,6 +232,17 @@ Run read_run(const Settings& s, Set& set, int number) {
 
 std::string test_name(Test test) { return test_names[static_cast<int>(test)]; }
 
+double motion_at_rest(Test test) { return test == Test::indentation || test == Test::simple_shear ? 0 : 1; }
+
+double loading_rate(const Run& run) {
+  std::vector<double> rates;
+  for (std::size_t i = 1; i < run.u.size(); ++i)
+    if (run.phase[i] == "load") rates.push_back((run.u[i] - run.u[i - 1]) / (run.t[i] - run.t[i - 1]));
+  if (rates.size() < 3) return 0;
+  std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
+  return rates[rates.size() / 2];
+}
+
 Set read_set(const std::filesystem::path& path) {
   const Settings s = Settings::read(path);
   if (s.text("schema") != "palpate-set/1")
@@ -238,14 +259,15 @@ Set read_set(const std::filesystem::path& path) {
   }
   if (s.has("tool")) {
     const Settings tools = s.table("tool");
-    for (const std::string& name : tools.keys()) {
-      const Settings tool = tools.table(name);
-      const std::string kind = tool.text("kind");
-      set.tools[name] = kind == "jaws" ? Tool{kind, 0, tool.real("width_mm", 40, {1e-3, 1e3}), tool.real("length_mm", 10, {1e-3, 1e3})} : Tool{kind, tool.real("radius_mm", {1e-3, 1e3})};
-    }
+    for (const std::string& name : tools.keys()) set.tools[name] = read_tool(tools.table(name));
   }
   if (s.has("noise")) set.sensor_sd_N = read_known(s.table("noise"), "sensor_sd_N", {1e-12, 1e3});
-  for (const Settings& run : s.tables("run")) set.runs.push_back(read_run(run, set, static_cast<int>(set.runs.size()) + 1));
+  for (const Settings& table : s.tables("run")) {
+    Run run = read_run(table, set, static_cast<int>(set.runs.size()) + 1);
+    if (std::any_of(set.runs.begin(), set.runs.end(), [&](const Run& other) { return other.id == run.id; }))
+      throw Failure(ExitCode::misuse, "two runs are called " + run.id, table.where(table.has("id") ? "id" : "file"), "an id of its own for each");
+    set.runs.push_back(std::move(run));
+  }
   if (set.runs.empty()) throw Failure(ExitCode::misuse, "a set without runs", s.where(), "[[run]] with id and file");
   for (Run& run : set.runs)
     for (const Run& other : set.runs)

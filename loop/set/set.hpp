@@ -96,6 +96,10 @@ struct Set {
 };
 
 std::string test_name(Test test);
+/// u of a specimen at rest: 1 where it is a stretch, otherwise 0.
+double motion_at_rest(Test test);
+/// Median speed of loading, of u per second; 0 where it cannot be told.
+double loading_rate(const Run& run);
 
 /// Reads a set and its files. Throws Failure(misuse) for keys of set.toml, by line; Failure(unreadable) for a missing file, a missing
 /// column, a wrong unit or text where a number is due.

@@ -112,8 +112,9 @@ void measure_solid(Measured& m, const TetMesh& mesh, std::vector<double>& weight
 void measure_forces(Measured& m) {
   const auto &force = m.solve.history.column("F[N]"), &depth = m.solve.history.column("depth[mm]"), &area = m.solve.history.column("contact_area[mm2]");
   const std::size_t peak = std::max_element(force.begin(), force.end()) - force.begin();
+  const bool of_means = !m.solve.history.column("gap[mm]").empty();  // a clamp's row has the mean force since the row before
   double work = 0;
-  for (std::size_t i = 1; i < force.size(); ++i) work += (force[i] + force[i - 1]) / 2 * (depth[i] - depth[i - 1]);
+  for (std::size_t i = 1; i < force.size(); ++i) work += (of_means ? force[i] : (force[i] + force[i - 1]) / 2) * (depth[i] - depth[i - 1]);
   const auto add = [&](const char* quantity, const char* unit, double value) { m.measures.push_back({"maxima", quantity, unit, value}); };
   add("peak force", "N", force[peak]);
   add("depth at peak force", "mm", depth[peak]);

@@ -96,7 +96,7 @@ void read_steps(const Settings& settings, Case& c) {
   if (c.kinetic_part > 0 && c.clamp.pressure)
     throw Failure(ExitCode::misuse, "a jaw that a pressure drives does not wait", s.where("kinetic_part"), "leave it out, or [clamp] speed_mm_s instead of pressure_MPa");
   c.frames = static_cast<int>(s.integer("frames", c.frames, {1, 10000}));
-  c.rows = static_cast<int>(s.integer("rows", c.rows, {1, 1000000}));
+  c.rows = static_cast<int>(s.integer("rows", c.rows, {10, 1000000}));
   c.works = static_cast<int>(s.integer("stress_works", 0, {0, 200}));
   c.keep_partial = s.flag("keep_partial", false);
 }
@@ -142,6 +142,10 @@ Case read_case(const std::filesystem::path& path, const std::filesystem::path& m
   read_steps(settings, c);
   for (const auto& one : given) c.law["effects"].push_back(one.active.effect.entry.name);
   add_effects(given, c);
+  if (c.works > 0)
+    for (const auto& one : given)
+      if (const std::string& name = one.active.effect.entry.name; !one.active.effect.traction.respond && name != "thickness" && name != "prony")
+        throw Failure(ExitCode::misuse, "stress_works is of the law's stresses alone, without " + name, one.table.where(), "leave the effect or [steps] stress_works out");
   scale_mass(c.wall, c.least_step);
   settings.expect_all_read();
   return c;

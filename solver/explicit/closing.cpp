@@ -114,7 +114,7 @@ void Closing::judge() {
 /// The jaws wait while the wall moves too much: their pace goes with what the kinetic part may be over what it is, and the
 /// wall is damped the more the less they move. What is let go at once, a fold that snaps, comes to rest so before they go on.
 void Closing::keep_pace() {
-  const double internal = std::abs(motion.internal()), part = internal > 0 ? motion.kinetic() / internal : 0, closed = jaws.travel() / (jaws.start_gap() - c.clamp.gap);
+  const double internal = std::abs(motion.internal()), part = internal > 0 ? motion.kinetic() / internal : 0, closed = jaws.closed();
   if (closed > 0.1) worst_kinetic = std::max(worst_kinetic, part);
   if (!(c.kinetic_part > 0) || closed < paced_from) return;
   const double wanted = std::clamp(0.4 * c.kinetic_part / std::max(part, 1e-12), least_pace, 1.0);
@@ -172,12 +172,18 @@ void Closing::expect_sound(const Row& row) const {
   if (!std::isfinite(row.ledger.kinetic + row.ledger.internal)) stop("the wall is no longer finite", std::max(motion.stable().second, 0), "a smaller [steps] safety or speed_mm_s");
   if (jaws.through() >= 0) stop("penetration: the wall's middle lies inside a jaw", around(jaws.through()), "a larger gap_mm (twice the wall is the least), a smaller speed_mm_s or pressure_MPa");
   if (self.through() >= 0) stop("penetration: the wall passes through itself", around(self.through()), "a larger gap_mm (twice the wall is the least), a smaller speed_mm_s or pressure_MPa, or a finer mesh there");
-  if (!(std::abs(row.ledger.imbalance()) > most_drift * peak_internal) || !(jaws.travel() > 0.1 * (jaws.start_gap() - c.clamp.gap))) return;
+  if (!(std::abs(row.ledger.imbalance()) > most_drift * peak_internal) || !(jaws.closed() > 0.1)) return;
   const auto& energy = motion.slots().energy;
   const auto most = std::max_element(energy.begin(), energy.begin() + static_cast<long>(c.wall.triangles.size())) - energy.begin();
   std::ostringstream what;
   what << "energy drifts: " << 100 * row.ledger.imbalance() / peak_internal << " % of the internal energy came from nowhere; the most of it is in this triangle";
   stop(what.str(), static_cast<int>(most), "a smaller [steps] safety or speed_mm_s, or a finer mesh there");
+}
+
+Row Closing::row_of(const Eigen::Vector3d& force) const {
+  Row row{motion.time(), jaws.travel(), jaws.gap(), force, force.dot(c.clamp.axis), 0, self.area(), cycles, step_, motion.ledger()};
+  for (int i : jaws.touched()) row.jaw_area += node_area_[i];
+  return row;
 }
 
 void Closing::keep(Archive& a) {
@@ -212,8 +218,7 @@ void Closing::run(const std::function<void(const Row&)>& row_done, const std::fu
     }
     const Eigen::Vector3d mean = row.force / since;
     contact();
-    row = {motion.time(), jaws.travel(), jaws.gap(), mean, mean.dot(c.clamp.axis), 0, self.area(), cycles, step_, motion.ledger()};
-    for (int i : jaws.touched()) row.jaw_area += node_area_[i];
+    row = row_of(mean);
     // a layer that shrinks under its tension gives what the law stores: then the sum says nothing of how much energy there is
     peak_internal = std::max({peak_internal, std::abs(row.ledger.internal), row.ledger.internal - (tissue ? tissue->work() : 0)});
     expect_sound(row);

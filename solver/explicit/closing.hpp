@@ -44,6 +44,8 @@ struct Closing {
   /// naming the triangle, where and why: the step collapsed, the wall is no longer finite, energy drifts.
   void run(const std::function<void(const Row&)>& row, const std::function<void(const Row&)>& frame, const std::function<void()>& save = {});
 
+  /// The present state as a row, with this force.
+  Row row_of(const Eigen::Vector3d& force) const;
   /// Normal force of jaws and self-contact on each node over its area, MPa.
   std::vector<double> contact_pressure() const;
   /// The tissue, or null.

@@ -62,13 +62,19 @@ Jaws::Jaws(const Clamp& clamp, const Wall& wall, int threads) : clamp_(clamp), p
   for (const auto& [effect, parameters] : clamp.tractions)
     if (effect.traction.reach) reach_ = std::max(reach_, effect.traction.reach(parameters));
   for (const auto& [a, b] : wall.edges) margin_ = std::max(margin_, 2 * length3(wall.rest[b] - wall.rest[a]));
-  start_gap_ = clamp.open.value_or(top - bottom);
-  if (start_gap_ < (top - bottom) * (1 - 1e-9)) {
+  met_gap_ = top - bottom;
+  start_gap_ = clamp.open.value_or(met_gap_);
+  if (start_gap_ < met_gap_ * (1 - 1e-9)) {
     std::ostringstream text;
-    text << "the jaws start inside the wall: " << start_gap_ << " mm apart, and the wall is " << top - bottom << " mm from outside to outside";
+    text << "the jaws start inside the wall: " << start_gap_ << " mm apart, and the wall is " << met_gap_ << " mm from outside to outside";
     throw Failure(ExitCode::misuse, text.str(), "", "a larger open_mm, or leave it out: both jaws then touch the wall");
   }
   if (!(clamp.gap < start_gap_)) throw Failure(ExitCode::misuse, "the jaws are to stop farther apart than they start", "", "a smaller gap_mm");
+  if (const double nearer = clamp.width * std::sin(std::abs(clamp.angle) / 2); nearer > clamp.gap) {
+    std::ostringstream text;
+    text << "the jaws would pass through each other: at " << std::abs(clamp.angle) * 180 / M_PI << " degrees they are " << nearer << " mm nearer at one end than in their middles, which stop " << clamp.gap << " mm apart";
+    throw Failure(ExitCode::misuse, text.str(), "", "a larger [clamp] gap_mm, a smaller angle_deg or width_mm");
+  }
   const double middle = (top + bottom) / 2;
   for (int j : {0, 1}) {
     const Vector3d back = j == 0 ? up : -up;

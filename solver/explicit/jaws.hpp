@@ -37,6 +37,8 @@ class Jaws {
   double start_gap() const { return start_gap_; }
   double gap() const { return start_gap_ - travel_; }
   double travel() const { return travel_; }
+  /// The share of the closing that is done, counted from where the wall is met: 0 before, 1 at the stop.
+  double closed() const { return met_gap_ > clamp_.gap ? std::max(0.0, (met_gap_ - gap()) / (met_gap_ - clamp_.gap)) : 0; }
   double closing_time() const;  ///< s, of a prescribed motion
   double motion_time() const;   ///< s, with what follows: the hold, the opening
   double kinetic() const;       ///< of the upper jaw, N mm; not part of the wall's ledger
@@ -106,7 +108,7 @@ class Jaws {
   double margin_ = 0;         ///< how near that is: twice the longest edge, mm
   int through_ = -1;
   double looked_at_ = -1e30;  ///< travel when they were found
-  double start_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0, moved_ = 0, force_before_ = 0;
+  double start_gap_ = 0, met_gap_ = 0, travel_ = 0, velocity_ = 0, deepest_ = 0, moved_ = 0, force_before_ = 0;
 };
 
 }  // namespace palpate::explicit_shell

@@ -16,9 +16,10 @@ first, again = (json.load(open(f"{s}/report.json")) for s in ("first", "again"))
 if not (first["verdict"]["kind"] == "nothing_supported" and again["verdict"] == first["verdict"]):
     raise SystemExit(f"nothing is hidden: {first['verdict']}, {again['verdict']}")
 kept = [p.stat().st_mtime for p in pathlib.Path("kept").glob("*/asked.toml")]
-if not (len(kept) == 13 and max(kept) < pathlib.Path("first/report.json").stat().st_mtime):  # three meshes, friction and angle twice, three slices twice: the other half is their image
+if not (len(kept) == 15 and max(kept) < pathlib.Path("first/report.json").stat().st_mtime):  # three meshes, two with coarser folds, there friction and angle twice, three slices twice: the other half is their image
     raise SystemExit(f"{len(kept)} closings, or some again")
-if first["solves"] != 13 or again["solves"] != 13: raise SystemExit(f"13 closings, not {first['solves']} and {again['solves']}")
+if first["solves"] != 15 or again["solves"] != 15: raise SystemExit(f"15 closings, not {first['solves']} and {again['solves']}")
+if first["motion"] != "closure (mm)": raise SystemExit(f"jaws move by {first['motion']}")
 sealed = first["error"]["before"]["holdout"]["percent"]
 if not sealed <= 2: raise SystemExit(f"the run that stops elsewhere is foretold to {sealed} % of its largest force")
 PY

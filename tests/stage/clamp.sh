@@ -80,16 +80,25 @@ sed 's/^speed.*/speed_mm_s = 200/; s/^frames.*/frames = 10/' case.toml > thin.to
 "$bin/test-wall-crossings" thin 1
 if "$bin/test-wall-crossings" thin 0.01 >/dev/null; then echo "blocks with sharp edges are not seen to be crossed"; exit 1; fi
 
-# where the jaws will fold the tube edges are half as long, and only there
-"$bin/palpate-mesh" tube.vtp folds.vtu --kind shell --thickness 0.8 --offset -0.4 --focus=0,0,30 --focus-radius 8 --jaws-axis=0,-1,0 --quiet
+# where the jaws will fold the tube edges are 0.36 times as long as the wall is thick, or as told; beside it they stay, on a thick wall half as long
+folds() { "$bin/palpate-mesh" tube.vtp "$1" --kind shell --offset -0.4 --focus=0,0,30 --focus-radius 8 --jaws-axis=0,-1,0 --quiet "${@:2}"; }
+folds folds.vtu --thickness 0.8
+folds told.vtu --thickness 0.8 --fold-edge 1
+folds thick.vtu --thickness 4
 python3 - <<'PY'
 import json
-plain, folds = (json.load(open(f + ".vtu.card.json"))["notes"]["triangles"] for f in ("thin", "folds"))
-if not 1.05 * plain < folds < 2 * plain:
-    raise SystemExit(f"{plain} triangles, {folds} with folds")
+def mesh(name):
+    notes = json.load(open(name + ".vtu.card.json"))["notes"]
+    return notes["triangles"], notes["quality"]["worst"]["shortest_edge_mm"]
+(plain, beside), (folds, sharp), (told, one), (thick, half) = map(mesh, ("thin", "folds", "told", "thick"))
+if not (1.05 * plain < told < 2 * plain < folds < 3 * plain and 1.05 * plain < thick):
+    raise SystemExit(f"{plain} triangles, {told} with folds of 1 mm, {folds} with those of a thin wall, {thick} of a thick one")
+for name, shortest, wanted in (("told", one, 1), ("of a thin wall", sharp, 0.36 * 0.8), ("of a thick wall", half, 1)):
+    if not 0.55 * wanted < shortest < wanted:  # a mesh's shortest edge beside the length that is wanted
+        raise SystemExit(f"folds {name}: shortest edge {shortest} mm, wanted {wanted} mm; without folds {beside} mm")
 PY
 # the same by centre line and angle, with what the case says of the jaws
-"$bin/palpate-mesh" tube.vtp placed.vtu --kind shell --thickness 0.8 --offset -0.4 --jaws-place 30 --focus-radius 8 --quiet >placed.txt
+"$bin/palpate-mesh" tube.vtp placed.vtu --kind shell --thickness 0.8 --offset -0.4 --jaws-place 30 --focus-radius 8 --fold-edge 1 --quiet >placed.txt
 grep -qE '^axis = \[-?[0-9.e-]+, -1, ' placed.txt || { echo "jaws placed at:"; cat placed.txt; exit 1; }
 { sed '/^centre_mm/d; s/^speed.*/speed_mm_s = 400\ngap_mm = 14/; /^\[steps\]/,$d' case.toml; cat placed.txt; printf '[steps]\nframes = 1\nrows = 20\n'; } > placed.toml
 sed 's/^speed.*/speed_mm_s = 400\ngap_mm = 14\naxis = [0, -1, 0]/; s/^frames.*/frames = 1/' case.toml > told.toml
@@ -214,6 +223,9 @@ refused 2 "did you mean slice" 's/^schema/ends = "slic"\nschema/'
 refused 2 "start inside the wall" 's/^speed.*/open_mm = 20/'
 refused 2 "miss the wall" 's/\[0, 0, 30\]/[0, 0, 300]/'
 refused 2 "farther apart" 's/^speed.*/gap_mm = 30/'
+refused 2 "pass through each other" 's/^speed.*/angle_deg = 20\ngap_mm = 3/'
+refused 2 "rows" 's/^rows.*/rows = 1/'
+refused 2 "stresses alone, without inclusion" 's/^frames/stress_works = 10\nframes/; $a [[effect]]\nname = "inclusion"\nexcess = 3\nx_mm = 0\ny_mm = 0\nz_mm = 30\nradius_mm = 30'
 refused 2 "driven by a pressure and by a motion" 's/^speed.*/speed_mm_s = 1\npressure_MPa = 0.1/'
 refused 2 "driven by a pressure and by a motion" 's/^speed.*/opens = true\npressure_MPa = 0.1/'
 refused 2 "does not wait" 's/^speed.*/pressure_MPa = 0.1/; s/^frames/kinetic_part = 0.05\nframes/'
@@ -227,4 +239,26 @@ refused 2 "thicker than the tube's radius" 's/^mesh.*/mesh = "narrow.vtu"/; s/0,
 refused 5 "penetration: the wall's middle lies inside a jaw, after .* at gap" 's/^speed.*/speed_mm_s = 400\ngap_mm = 0.4/'
 grep -q "where: triangle [0-9]*, at (.*, .*, .*) mm at rest" message || { echo "does not say where:"; cat message; exit 1; }
 refused 5 "flies apart\|collapsed\|no longer finite\|penetration" 's/^speed.*/speed_mm_s = 400000/'
+
+# jaws that start far from the wall: energy and kinetic part are judged from where they meet it; a closing that ends early says so
+sed 's/^speed.*/speed_mm_s = 400\nopen_mm = 40\ngap_mm = 14/; s/^frames.*/frames = 1\nkinetic_part = 0.5/' case.toml > far.toml
+"$bin/palpate-solve" far.toml far --quiet >/dev/null
+sed 's/^frames.*/frames = 1\nduration_s = 0.005/' case.toml > early.toml
+"$bin/palpate-solve" early.toml early >/dev/null 2>message
+grep -q "the jaws closed by 0\..* mm of .* mm: \[steps\] duration_s" message || { echo "a closing that ends early does not say so:"; cat message; exit 1; }
+# what is kept of a closing that fails is of one moment, the last
+sed 's/^speed.*/speed_mm_s = 400\ngap_mm = 0.4/; s/^frames.*/frames = 2\nkeep_partial = true/' case.toml > partial.toml
+"$bin/palpate-solve" partial.toml partial --quiet >/dev/null 2>message
+"$bin/palpate-compare" one partial compared --quiet >/dev/null
+python3 - <<'PY'
+import csv, json, re
+rows = list(csv.DictReader(open("partial/history.csv")))
+frames = [float(t) for t in re.findall(r'timestep="([^"]+)"', open("partial/frames.pvd").read())]
+if not abs(frames[-1] / float(rows[-1]["t[s]"]) - 1) <= 1e-5 or not abs(json.load(open("partial/summary.json"))["depth_mm"]["reached"] - float(rows[-1]["depth[mm]"])) <= 1e-6:
+    raise SystemExit(f"last frame at {frames[-1]} s, last row {rows[-1]}")
+# forces of rows are means: their sum over the closing is the jaws' work
+work = [float(r["one"]) for r in csv.DictReader(open("compared/compare.csv")) if r["quantity"] == "work of the force"][0]
+told = float(list(csv.DictReader(open("one/history.csv")))[-1]["external[mJ]"])
+if not abs(work / told - 1) <= 0.01: raise SystemExit(f"work {work} mJ, by the ledger {told} mJ")
+PY
 echo "closed, the same again, bad input told"

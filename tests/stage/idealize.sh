@@ -13,6 +13,8 @@ shell="--kind shell --thickness 1.4 --offset -0.7 --focus 0,0,50 --focus-radius 
 "$bin/palpate-mesh" cylinder.vtp wall.vtu $shell
 "$bin/palpate-mesh" cylinder.vtp again.vtu $shell --threads 2
 cmp wall.vtu again.vtu
+taskset -c "$(taskset -cp $$ | sed 's/.*: //; s/[-,].*//')" "$bin/palpate-idealize" one.vtp --quiet  # "all cores" are those that this process may use
+grep -q '"threads": 1,' one.vtp.card.json || { echo "threads for cores that are not ours"; exit 1; }
 "$bin/palpate-mesh" cylinder.vtp piece.vtu $shell --cut-from 20 --cut-to 80
 python3 - <<'PY'
 import json, math

@@ -43,12 +43,23 @@ refused 4 'cannot touch the specimen there' 1 's/^point_mm = .*/point_mm = [500.
 refused 3 'nowhere.csv' 1 's/r01\.csv/nowhere.csv/'
 refused 2 'an axis without direction.*set\.toml:[0-9]+' 1 's/^axis = .*/axis = [0, 0, 0]/'
 refused 2 'set\.toml:[0-9]+.*did you mean radius_mm' 1 's/^radius_mm = 5/radus_mm = 5\nradius_mm = 5/'
+refused 3 'the header has semicolons.*r01\.csv:1' 'NR==1{print "t[s];u[mm];F[N]";next}1'
+refused 4 'r01 and r02 are no replicates.*are the units right' 'NR>1{$3=1000*$3}1'
+refused 2 'set\.toml:[0-9]+.*did you mean ball' 1 's/^kind = "ball"/kind = "bal"/'
+refused 2 'two runs are called r01.*set\.toml:[0-9]+' 1 's/^id = "r02"/id = "r01"/'
+refused 2 'no law neohooke.*did you mean neo_hookean' 1 's/^law = .*/law = "neohooke"/'
+refused 2 'mu = -0.02 lies outside' 1 's/^law = .*/&\nparameters = { mu = -0.02 }/'
+refused 2 'no parameter nu.*its own: mu' 1 's/^law = .*/&\nparameters = { nu = 0.3 }/'
+refused 4 'mm into a specimen that is 0.5 mm high' 1 's/^height_mm = .*/height_mm = 0.5/'
 
 python3 "$make" --protocol battery --effect none --seed 5 bad2
 mv bad2/r01.csv kept && mv bad2/r04.csv bad2/r01.csv && mv kept bad2/r04.csv  # 1 mm/s and 0.1 mm/s
 got=0
 "$bin/palpate-loop" check bad2/set.toml 2>message || got=$?
 [ $got -eq 4 ] && grep -q 'as r04 should: the two runs are swapped' message || { echo "swapped runs are not told: $got" >&2; cat message >&2; exit 1; }
+sed 's/^replicate = .*/replicate = "all"/' bad2/set.toml >bad2/mixed.toml
+"$bin/palpate-loop" check bad2/mixed.toml 2>message && { echo "a battery as one replicate is sound" >&2; exit 1; }
+grep -q 'are no replicates, as "all" says: one loads at' message && grep -q 'one has the tool t5, the other t2' message || { cat message >&2; exit 1; }
 
 "$bin/palpate-loop" run good/set.toml one --quiet --null-sets 200 --forward closed >/dev/null
 "$bin/palpate-loop" run good/set.toml two --quiet --null-sets 200 --forward closed --threads 2 >/dev/null
@@ -113,10 +124,27 @@ for i in range(1, 67, 3):
 open("rubber/pulled.csv", "w").write("\n".join(rows) + "\n")
 P
 "$bin/palpate-loop" run rubber/set.toml stiffens --quiet >/dev/null
+# not_rubber SED WORDS: the pulled strip changed so is refused
+not_rubber() {
+  rm -rf bad && cp -r rubber bad
+  sed -i "$1" bad/pulled.csv
+  local got=0
+  "$bin/palpate-loop" run bad/set.toml out 2>message || got=$?
+  [ $got -eq 4 ] && grep -qE "$2" message && [ ! -e out ] && ! ls .partial-* 2>/dev/null || { echo "expected 4 and \"$2\", got $got and:" >&2; cat message >&2; exit 1; }
+}
+not_rubber '2,$s/,.*/,0/' 'no stress but zero'
+not_rubber '3s/^[^,]*/0/' 'a stretch of 0; a stretch is the length over that at rest'
+not_rubber '2,$s/^\([0-9]\)\.\([0-9]*\)/\1\2/' 'not in percent'
 python3 - <<'P'
 import json
 report = json.load(open("stiffens/report.json"))
 error = [report["error"][when]["fit"]["percent"] for when in ("before", "after")]
+thirds = {row["name"]: row["blocks"] for row in report["residuals"]["before"] if row["by"] == "depth"}
+assert len(thirds) == 3 and min(thirds.values()) >= 5, thirds  # of the stretch beyond 1
+low, high = report["error"]["after"]["fit"]["interval_N"]
+assert low < report["error"]["after"]["fit"]["N"] < high, "one run has no interval"
+units = {c["effect"]: c["unit"] for c in report["candidates"] + report["blind_spots"] if "unit" in c}
+assert units["tare"] == "MPa" and units["saturation"] == "MPa^-1", units
 assert report["verdict"]["kind"] == "ranking_only" and report["verdict"]["alternatives"] == [["stiffening"]] and error[1] < 0.3 * error[0], (report["verdict"], error)
 P
 

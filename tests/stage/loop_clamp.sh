@@ -51,3 +51,5 @@ case_with() {
 }
 case_with 's/^edge_mm.*/&\nends = "fixed"/' | grep -qx 'ends = "fixed"' || { echo "the case does not say that the tube is held" >&2; exit 1; }
 if case_with '' | grep -q '^ends'; then echo "a tube that is not held is said to be" >&2; exit 1; fi
+# The curve is that of walls whose folds are finer than they are thick: 0.36 of 1.2 mm, and 0.8 of that on the finest mesh, which is the first.
+case_with '' | grep -q 'in the folds 0.3456 mm' || { echo "the curve's folds are not fine" >&2; exit 1; }

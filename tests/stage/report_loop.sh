@@ -38,6 +38,7 @@ runs = sorted({row[0] for row in rows})
 assert len(plots) == 2 * len(runs), plots.keys()
 scales = [p["y_range"] for i, p in plots.items() if not i.endswith("rest")]
 assert all(s == scales[0] for s in scales), "not one scale"
+assert all(p["x"] == ("time (s)" if i.endswith("rest") else "stretch") for i, p in plots.items()), {p["x"] for p in plots.values()}
 for k, run in enumerate(runs):
     curve, rest = plots[f"plot-run-{k}"], plots[f"plot-run-{k}-rest"]
     mine = [row for row in rows if row[0] == run]
