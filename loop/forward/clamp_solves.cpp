@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 constexpr double finer[] = {0.8, 1.0, 0.9};        ///< edges over the set's: the curve is the mean of these meshes
 constexpr std::size_t meshes = std::size(finer);
 constexpr double grid_mm = 0.1, smoothed_mm = 0.2; ///< of the closures; half width of the mean over vibrations
+constexpr double changes_smoothed_mm = 0.8;        ///< half width of the mean over the vibrations of two closings, one against the other
 constexpr double reach_mm = 24, slice_mm = 8;      ///< along the tube, from the jaws' middle
 constexpr double solved_MPa = 0.25;                ///< initial shear modulus of the solves: forces at rest are proportional to it, and stiffer walls come to rest sooner
 constexpr double small_share = 0.005;
@@ -85,10 +86,21 @@ BothWays curves_of(const Bench& b, const fs::path& result) {
   return {even(in, -ahead_mm, b.deepest_mm, rest / resting), even(out, -ahead_mm, b.deepest_mm, rest / resting)};
 }
 
+/// Means over `changes_smoothed_mm` on either side, as far on the one as on the other: two closings of one mesh each vibrate for themselves.
+EvenCurve smoothed(const EvenCurve& rough) {
+  EvenCurve smooth = rough;
+  const auto n = static_cast<std::ptrdiff_t>(rough.values.size()), most = static_cast<std::ptrdiff_t>(changes_smoothed_mm / grid_mm);
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const std::ptrdiff_t wide = std::min({most, i, n - 1 - i});
+    smooth.values[i] = std::accumulate(rough.values.begin() + i - wide, rough.values.begin() + i + wide + 1, 0.0) / static_cast<double>(2 * wide + 1);
+  }
+  return smooth;
+}
+
 EvenCurve log_change(const EvenCurve& to, const EvenCurve& from, double small) {
   EvenCurve change = from;
   for (std::size_t i = 0; i < change.values.size(); ++i) change.values[i] = std::log((std::max(to.values[i], 0.0) + small) / (std::max(from.values[i], 0.0) + small));
-  return change;
+  return smoothed(change);
 }
 
 /// exp of the mean of ln(F + ε) over the meshes, less ε.
