@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace palpate::loop {
@@ -94,27 +95,34 @@ double force_up_to(const Run& run, double motion) {
   return force;
 }
 
-/// What two runs must share to be one experiment twice; empty: nothing lacks. Their scatter is the noise by which all is judged.
-std::string not_the_same(const Run& a, const Run& b) {
-  constexpr double most_apart = 3;  ///< of forces at the same motion
+/// What two runs must share to be one experiment twice; empty: nothing lacks.
+std::string other_experiment(const Run& a, const Run& b) {
   if (a.test != b.test) return "one is " + test_name(a.test) + ", the other " + test_name(b.test);
   if (a.tool != b.tool) return "one has the tool " + a.tool + ", the other " + b.tool;
   if (norm(a.point_mm - b.point_mm) > 1e-3) return "they are at two places";
   if (const double of_a = loading_rate(a), of_b = loading_rate(b); a.timed && b.timed && differs(of_a, of_b))
     return "one loads at " + number(of_a) + " per second, the other at " + number(of_b);
+  return "";
+}
+
+/// Forces so far apart that no scatter explains it; empty: they are not.
+std::string other_forces(const Run& a, const Run& b) {
+  constexpr double most_apart = 3;  ///< of the largest up to the same motion
   const double motion = std::min(largest_motion(a), largest_motion(b)), of_a = force_up_to(a, motion), of_b = force_up_to(b, motion);
   if (std::max(of_a, of_b) > most_apart * std::min(of_a, of_b)) return "their largest forces at the same motion are " + number(of_a) + " and " + number(of_b) + "; are the units right?";
   return "";
 }
 
-void replicates(const Set& set, std::vector<std::string>& list) {
+/// Of each run the first of its name before it that it does not repeat, with `why`: their scatter is the noise by which all is judged.
+template <class Why>
+void each_that_repeats_none(const Set& set, const Why& why, const std::function<void(const Run&, const std::string&)>& tell) {
   for (std::size_t j = 0; j < set.runs.size(); ++j)
     for (std::size_t i = 0; i < j; ++i) {
       const Run &a = set.runs[i], &b = set.runs[j];
       if (b.replicate.empty() || a.replicate != b.replicate || a.role == Role::calibration || b.role == Role::calibration) continue;
-      const std::string why = not_the_same(a, b);
-      if (why.empty()) continue;
-      list.push_back(set.file.string() + ": runs " + a.id + " and " + b.id + " are no replicates, as \"" + b.replicate + "\" says: " + why + "; give what is another experiment another replicate");
+      const std::string text = why(a, b);
+      if (text.empty()) continue;
+      tell(b, "runs " + a.id + " and " + b.id + " are no replicates, as \"" + b.replicate + "\" says: " + text);
       break;
     }
 }
@@ -191,7 +199,7 @@ std::vector<std::string> faults(const Set& set) {
   if (!sound) return list;
   mixed_up(set, list);
   copied(set, list);
-  replicates(set, list);
+  each_that_repeats_none(set, other_forces, [&](const Run& run, const std::string& text) { list.push_back(run.file.string() + ":1: " + text); });
   return list;
 }
 
@@ -207,6 +215,7 @@ std::vector<std::string> remarks(const Set& set) {
   }
   if (std::none_of(groups.begin(), groups.end(), [](const auto& g) { return g.second > 1; }))
     list.push_back("no replicates: the loop can rank effects but claims none; repeat a run and give both the same replicate");
+  each_that_repeats_none(set, other_experiment, [&](const Run&, const std::string& text) { list.push_back(text + "; what they differ by counts as noise; give another experiment another replicate"); });
   if (air == 0 && set.sensor_sd_N.state != Known::State::given) list.push_back("no air run: the sensor's noise is taken from the runs' own fast fluctuations");
   if (sealed == 0) list.push_back("no sealed run (role = \"holdout\"): error after is told on fit runs only");
   for (const Run& run : set.runs)

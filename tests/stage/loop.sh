@@ -58,8 +58,9 @@ got=0
 "$bin/palpate-loop" check bad2/set.toml 2>message || got=$?
 [ $got -eq 4 ] && grep -q 'as r04 should: the two runs are swapped' message || { echo "swapped runs are not told: $got" >&2; cat message >&2; exit 1; }
 sed 's/^replicate = .*/replicate = "all"/' bad2/set.toml >bad2/mixed.toml
-"$bin/palpate-loop" check bad2/mixed.toml 2>message && { echo "a battery as one replicate is sound" >&2; exit 1; }
-grep -q 'are no replicates, as "all" says: one loads at' message && grep -q 'one has the tool t5, the other t2' message || { cat message >&2; exit 1; }
+mv bad2/r01.csv kept && mv bad2/r04.csv bad2/r01.csv && mv kept bad2/r04.csv
+"$bin/palpate-loop" check bad2/mixed.toml >said || true
+grep -q 'remark: runs r01 and r04 are no replicates, as "all" says: one loads at' said && grep -q 'one has the tool t5, the other t2; what they differ by counts as noise' said || { cat said >&2; exit 1; }
 
 "$bin/palpate-loop" run good/set.toml one --quiet --null-sets 200 --forward closed >/dev/null
 "$bin/palpate-loop" run good/set.toml two --quiet --null-sets 200 --forward closed --threads 2 >/dev/null
